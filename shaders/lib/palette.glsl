@@ -1,0 +1,13 @@
+// Colours of the debug views (docs/level_of_visibility.md).
+
+/// Occluders red, occludees blue, lighter = coarser (thesis Fig. 4.3). coarseness in [0, 1]. Linear RGB.
+vec3 lodColor(bool occluder, float coarseness) {
+  if (occluder) return mix(vec3(0.55, 0.02, 0.02), vec3(1.0, 0.45, 0.40), coarseness);
+  return mix(vec3(0.005, 0.02, 0.35), vec3(0.55, 0.85, 1.0), coarseness);
+}
+
+/// Heat scale for t in [0, 1], dark blue over green to yellow: a cubic fit of a perceptually even ramp. Linear RGB.
+vec3 heatColor(float t) {
+  vec3 low = vec3(0.06, 0.01, 0.14), mid = vec3(0.02, 0.27, 0.26), high = vec3(0.98, 0.80, 0.05);
+  return t < 0.5 ? mix(low, mid, 2.0 * t) : mix(mid, high, 2.0 * t - 1.0);
+}

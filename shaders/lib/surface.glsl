@@ -1,0 +1,26 @@
+// Base colour and coverage of a surface point.
+
+layout(std430, binding = kBindingMaterials) readonly buffer MaterialBlock { Material materials[]; };
+layout(binding = kUnitBaseColor) uniform sampler2DArray baseColorLayers;
+
+/// Linear base colour with alpha: factor times vertex colour times texture (glTF 2.0, 3.9.2).
+vec4 baseColor(Material material, vec4 vertexColor, vec2 uv) {
+  vec4 color = material.baseColor * vertexColor;
+  if ((material.flags & kMaterialTextured) != 0u) color *= texture(baseColorLayers, vec3(uv, material.layer));
+  return color;
+}
+
+/// Threshold of a 4x4 ordered dither, in (0, 1): blending without sorting, the same in every frame.
+float ditherThreshold(uvec2 pixel) {
+  uint x = pixel.x & 3u, y = pixel.y & 3u;
+  uint q = x ^ y;
+  uint rank = ((q & 1u) << 3u) | ((y & 1u) << 2u) | ((q & 2u)) | ((y & 2u) >> 1u);
+  return (float(rank) + 0.5) / 16.0;
+}
+
+/// Whether alpha leaves a hole here.
+bool isHole(Material material, float alpha, uvec2 pixel) {
+  if ((material.flags & kMaterialMask) != 0u) return alpha < material.alphaCutoff;
+  if ((material.flags & kMaterialBlend) != 0u) return alpha < ditherThreshold(pixel);
+  return false;
+}

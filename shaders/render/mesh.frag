@@ -1,0 +1,37 @@
+// Shades a fragment, or paints the debug view.
+// JAL_SHEET: double-sided and masked surfaces and mirrored objects, whose facing and holes are decided here.
+#version 450 core
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "shared/frame_structs.h"
+#include "lib/draw_buffers.glsl"
+#include "lib/surface.glsl"
+#include "lib/shading.glsl"
+
+in Fragment {
+  vec3 positionWorld;
+  vec3 normalWorld;
+  vec2 uv;
+  vec4 color;
+  flat vec3 tint;
+  flat uint material;
+  flat uint mirrored;
+} fragment;
+
+layout(location = 0) out vec4 frameColor;
+
+void main() {
+  Material material = materials[fragment.material];
+  vec4 base = baseColor(material, fragment.color, fragment.uv);
+  vec3 normal = normalize(fragment.normalWorld);
+#ifdef JAL_SHEET
+  bool front = gl_FrontFacing == (fragment.mirrored == 0u);
+  if (!front && (material.flags & kMaterialDoubleSided) == 0u) discard;
+  if (isHole(material, base.a, uvec2(gl_FragCoord.xy))) discard;
+  if (!front) normal = -normal;
+#endif
+  vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
+  vec3 color = drawView.view == kViewShaded ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)
+                                            : shadeFlat(fragment.tint, normal, toEye);
+  frameColor = vec4(color, 1.0);
+}

@@ -1,0 +1,192 @@
+// Builds the flat arrays: meshes once, levels as ranges, objects with their transforms as three rows.
+#include "scene/scene_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/check.h"
+#include "core/error.h"
+#include "scene/patch_base.h"
+
+namespace jalousie::scene {
+namespace {
+
+using asset::Mesh;
+using asset::Primitive;
+
+bool isSheet(const asset::Material& material) {
+  return material.doubleSided || material.alphaMode != asset::AlphaMode::kOpaque;
+}
+
+std::uint32_t packColor(const glm::vec4& color) {
+  std::uint32_t packed = 0;
+  for (int k = 0; k < 4; ++k) {
+    const float value = std::clamp(color[k], 0.0F, 1.0F);
+    packed |= static_cast<std::uint32_t>(std::lround(value * 255.0F)) << (8 * k);
+  }
+  return packed;
+}
+
+gpu::Material makeMaterial(const asset::Material& material) {
+  gpu::Material result{};
+  result.baseColor = material.baseColor;
+  result.alphaCutoff = material.alphaCutoff;
+  result.layer = material.image.value_or(0);
+  if (material.image) result.flags |= gpu::kMaterialTextured;
+  if (material.doubleSided) result.flags |= gpu::kMaterialDoubleSided;
+  if (material.alphaMode == asset::AlphaMode::kMask) result.flags |= gpu::kMaterialMask;
+  if (material.alphaMode == asset::AlphaMode::kBlend) result.flags |= gpu::kMaterialBlend;
+  return result;
+}
+
+/// Collects the arrays; one instance builds one scene.
+class Builder {
+ public:
+  Builder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}
+
+  SceneData build() {
+    for (const asset::Material& material : file_.materials)
+      scene_.materials.push_back(makeMaterial(material));
+    meshLods_.resize(file_.meshes.size());
+    meshBounds_.resize(file_.meshes.size());
+    for (std::size_t m = 0; m < file_.meshes.size(); ++m)
+      addMesh(m);
+    for (const asset::Chain& chain : file_.chains)
+      addChain(chain);
+    for (const asset::Instance& instance : file_.instances)
+      addObject(instance);
+    scene_.textures = makeTextureLayers(file_.images);
+    scene_.cameras = file_.cameras;
+    return std::move(scene_);
+  }
+
+ private:
+  /// Appends a primitive's triangles; the mesh's vertices start at baseVertex.
+  void appendPrimitive(const Primitive& primitive, std::span<const glm::vec3> normals, std::size_t baseVertex) {
+    const std::size_t offset = scene_.vertices.size() - baseVertex;
+    if (scene_.vertices.size() + primitive.positions.size() > std::numeric_limits<std::int32_t>::max() ||
+        scene_.indices.size() + primitive.indices.size() > std::numeric_limits<std::uint32_t>::max())
+      throw Error(ErrorCode::kLimit, "the scene has more vertices or indices than 32-bit offsets reach");
+    for (std::size_t v = 0; v < primitive.positions.size(); ++v)
+      scene_.vertices.push_back({primitive.positions[v], packNormal(normals[v]), primitive.uvs[v],
+                                 packColor(primitive.colors[v]), primitive.material});
+    for (const std::uint32_t index : primitive.indices)
+      scene_.indices.push_back(static_cast<std::uint32_t>(offset) + index);
+  }
+
+  /// Appends all primitives of a mesh, solid ones first. @param normals  per primitive; null for the file's own
+  gpu::Lod appendMesh(const Mesh& mesh, const std::vector<std::vector<glm::vec3>>* normals) {
+    gpu::Lod lod{};
+    lod.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
+    const std::size_t baseVertex = scene_.vertices.size();
+    lod.baseVertex = static_cast<std::int32_t>(baseVertex);
+    for (const bool sheets : {false, true}) {
+      for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+        const Primitive& primitive = mesh.primitives[p];
+        if (isSheet(file_.materials[primitive.material]) != sheets) continue;
+        appendPrimitive(primitive, normals != nullptr ? (*normals)[p] : primitive.normals, baseVertex);
+        (sheets ? lod.sheetCount : lod.solidCount) += static_cast<std::uint32_t>(primitive.indices.size());
+      }
+    }
+    lod.triangleCount = (lod.solidCount + lod.sheetCount) / 3;
+    scene_.usesSheets |= lod.sheetCount > 0;
+    return lod;
+  }
+
+  void addMesh(std::size_t m) {
+    meshLods_[m] = appendMesh(file_.meshes[m], nullptr);
+    for (const Primitive& primitive : file_.meshes[m].primitives)
+      for (const std::uint32_t index : primitive.indices)
+        meshBounds_[m].add(primitive.positions[index]);
+  }
+
+  /// Averages normals over all primitives of the mesh, so that seams between materials stay closed too.
+  gpu::Lod addPatchBase(const Mesh& mesh, Aabb& bounds) {
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (const Primitive& primitive : mesh.primitives) {
+      const auto offset = static_cast<std::uint32_t>(positions.size());
+      positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+      for (const std::uint32_t index : primitive.indices)
+        indices.push_back(offset + index);
+    }
+    const std::vector<glm::vec3> normals = averagedNormals(positions, indices);
+    bounds.add(phongBounds(positions, normals, indices, kPhongAlpha));
+    std::vector<std::vector<glm::vec3>> split;
+    auto next = normals.begin();
+    for (const Primitive& primitive : mesh.primitives) {
+      const auto end = next + static_cast<std::ptrdiff_t>(primitive.positions.size());
+      split.emplace_back(next, end);
+      next = end;
+    }
+    return appendMesh(mesh, &split);
+  }
+
+  void addChain(const asset::Chain& chain) {
+    JAL_CHECK(!chain.levels.empty());
+    if (chain.levels.size() > gpu::kMaxLods)
+      throw Error(ErrorCode::kUnsupported, "chain '" + chain.name + "' has more levels than supported (32)");
+    gpu::Chain result{};
+    result.firstLod = static_cast<std::uint32_t>(scene_.lods.size());
+    result.lodCount = static_cast<std::uint32_t>(chain.levels.size());
+    Aabb bounds;
+    for (const asset::LodLevel& level : chain.levels) {
+      gpu::Lod lod = meshLods_[level.mesh];
+      lod.errorObject = level.errorObject;
+      scene_.lods.push_back(lod);
+      bounds.add(meshBounds_[level.mesh]);
+    }
+    result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
+    if (options_.patches) {
+      scene_.lods.push_back(addPatchBase(file_.meshes[chain.levels.back().mesh], bounds));
+      result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
+    }
+    if (bounds.empty()) bounds = Aabb{glm::vec3(0.0F), glm::vec3(0.0F)};
+    result.boundsMinObject = glm::vec4(bounds.min, 0.0F);
+    result.boundsMaxObject = glm::vec4(bounds.max, 0.0F);
+    scene_.chains.push_back(result);
+  }
+
+  void addObject(const asset::Instance& instance) {
+    const glm::mat4 rows = glm::transpose(instance.worldFromObject);
+    gpu::Object object{rows[0], rows[1], rows[2], instance.chain, 0, 0, 0};
+    if (glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0F) {
+      object.flags |= gpu::kObjectMirrored;
+      scene_.usesSheets = true;
+    }
+    const gpu::Chain& chain = scene_.chains[instance.chain];
+    scene_.boundsWorld.add(transformed(instance.worldFromObject,
+                                       Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
+    scene_.objects.push_back(object);
+  }
+
+  const asset::SceneFile& file_;
+  BuildOptions options_;
+  SceneData scene_;
+  std::vector<gpu::Lod> meshLods_;
+  std::vector<Aabb> meshBounds_;
+};
+
+}  // namespace
+
+SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options) {
+  return Builder(file, options).build();
+}
+
+glm::mat4 worldFromObject(const gpu::Object& object) {
+  return glm::transpose(glm::mat4(object.worldFromObject0, object.worldFromObject1, object.worldFromObject2,
+                                  glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)));
+}
+
+std::uint32_t packNormal(const glm::vec3& normal) {
+  std::uint32_t packed = 0;
+  for (int k = 0; k < 3; ++k) {
+    const long value = std::lround(std::clamp(normal[k], -1.0F, 1.0F) * 511.0F);
+    packed |= (static_cast<std::uint32_t>(value) & 0x3ffU) << (10 * k);
+  }
+  return packed;
+}
+
+}  // namespace jalousie::scene

@@ -1,0 +1,56 @@
+// A scene as flat arrays ready for the GPU; needs no OpenGL.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "asset/scene_file.h"
+#include "core/aabb.h"
+#include "scene/texture_layers.h"
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+
+namespace jalousie::scene {
+
+/// One vertex of the scene's vertex buffer; attribute locations are kAttribute... of shared/limits.h.
+struct Vertex {
+  glm::vec3 position;    ///< object space
+  std::uint32_t normal;  ///< unit, 10 bits a component, signed normalised (GL_INT_2_10_10_10_REV)
+  glm::vec2 uv;
+  std::uint32_t color;     ///< linear RGBA, 8 bits a component
+  std::uint32_t material;  ///< index into SceneData::materials
+};
+static_assert(sizeof(Vertex) == 32);
+
+/// Everything the GPU needs of a scene. All chains share one vertex and one index buffer.
+struct SceneData {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<gpu::Object> objects;
+  std::vector<gpu::Chain> chains;
+  std::vector<gpu::Lod> lods;
+  std::vector<gpu::Material> materials;
+  TextureLayers textures;
+  std::vector<asset::Camera> cameras;
+  Aabb boundsWorld;         ///< of all objects
+  bool usesSheets = false;  ///< whether any object draws through the sheet lists
+};
+
+/// What the arrays are made for.
+struct BuildOptions {
+  /// Adds the base meshes of the tessellation path (the coarsest level of each chain, normals averaged per position)
+  /// and widens the boxes to hold the curved surface. Off, patchLod repeats the coarsest level.
+  bool patches = false;
+};
+
+/// Flattens a file. Errors: kLimit if vertices or indices exceed 32-bit offsets, kUnsupported above kMaxLods levels.
+SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options = {});
+
+/// World transform of an object as a matrix.
+glm::mat4 worldFromObject(const gpu::Object& object);
+
+/// Signed normalised 10-10-10-2 packing, x in the low bits.
+std::uint32_t packNormal(const glm::vec3& normal);
+
+}  // namespace jalousie::scene
