@@ -1,0 +1,35 @@
+// Buffer storage and transfers through direct state access.
+#include "gl/buffer.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace jalousie::gl {
+
+Buffer::Buffer(std::size_t sizeBytes, GLbitfield flags, const char* name, const void* data)
+    : sizeBytes_(std::max<std::size_t>(sizeBytes, 16)) {
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  handle_ = Handle<BufferTraits>(id);
+  label(GL_BUFFER, id, name);
+  glNamedBufferStorage(id, static_cast<GLsizeiptr>(sizeBytes_), sizeBytes == sizeBytes_ ? data : nullptr, flags);
+  if (data != nullptr && sizeBytes != sizeBytes_ && sizeBytes > 0)
+    write(0, std::span(static_cast<const std::byte*>(data), sizeBytes));
+}
+
+void Buffer::write(std::size_t offsetBytes, std::span<const std::byte> bytes) {
+  JAL_CHECK(offsetBytes <= sizeBytes_);
+  JAL_CHECK(bytes.size() <= sizeBytes_ - offsetBytes);
+  glNamedBufferSubData(id(), static_cast<GLintptr>(offsetBytes), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+void Buffer::readBytes(std::size_t offsetBytes, std::span<std::byte> target) const {
+  JAL_CHECK(offsetBytes <= sizeBytes_);
+  JAL_CHECK(target.size() <= sizeBytes_ - offsetBytes);
+  if (target.empty()) return;
+  glGetNamedBufferSubData(id(), static_cast<GLintptr>(offsetBytes), static_cast<GLsizeiptr>(target.size()),
+                          target.data());
+}
+
+}  // namespace jalousie::gl
