@@ -1,0 +1,46 @@
+// Level 0 is a colour attachment; the other levels are compute-shader sums.
+#include "visibility/occlusion_map_pass.h"
+
+#include <array>
+
+#include "shared/limits.h"
+#include "visibility/program_table.h"
+
+namespace jalousie::visibility {
+
+OcclusionMapPass::OcclusionMapPass(const MapLayout& layout)
+    : layout_(layout),
+      texture_(GL_TEXTURE_2D, GL_R32F, {layout.width, layout.height, 1, layout.levels}, "occlusion map"),
+      framebuffer_(texture_, nullptr, "occlusion map level 0"),
+      reduceProgram_(programSource(ProgramId::kReduceMap)) {
+  texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+  texture_.clear(0, 0.0F);  // the padding around the screen has no open pixels, now and for ever
+}
+
+void OcclusionMapPass::beginOccluders() const {
+  framebuffer_.bind(layout_.screenWidth, layout_.screenHeight);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, static_cast<GLsizei>(layout_.screenWidth), static_cast<GLsizei>(layout_.screenHeight));
+  const std::array<float, 4> open = {1.0F, 1.0F, 1.0F, 1.0F};
+  glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, open.data());
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void OcclusionMapPass::reduce() const {
+  reduceProgram_.use();
+  glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  for (std::uint32_t level = 1; level < layout_.levels; ++level) {
+    texture_.bindImage(gpu::kImageSource, level - 1, GL_READ_ONLY);
+    texture_.bindImage(gpu::kImageTarget, level, GL_WRITE_ONLY);
+    const auto groups = [](std::uint32_t texels) { return (texels + gpu::kTexelGroupSide - 1) / gpu::kTexelGroupSide; };
+    glDispatchCompute(groups(layout_.levelWidth(level)), groups(layout_.levelHeight(level)), 1);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  }
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+std::vector<float> OcclusionMapPass::readOpenPixels() const {
+  return framebuffer_.readRed(layout_.screenWidth, layout_.screenHeight);
+}
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,18 @@
+// The compute programs of the visibility passes, in one table that a test builds completely.
+#pragma once
+
+#include <span>
+
+#include "gl/program.h"
+
+namespace jalousie::visibility {
+
+enum class ProgramId : unsigned { kClassify, kReduceMap, kAnalyse, kEmitCommands };
+
+/// All programs, in the order of ProgramId.
+std::span<const gl::ProgramSource> programTable();
+inline const gl::ProgramSource& programSource(ProgramId id) {
+  return programTable()[static_cast<unsigned>(id)];
+}
+
+}  // namespace jalousie::visibility

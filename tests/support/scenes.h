@@ -1,0 +1,33 @@
+// Small procedural scenes for tests.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "asset/scene_file.h"
+#include "core/random.h"
+
+namespace jalousie::test {
+
+/// Closed UV sphere of radius 1 with 2 * segments * (rings - 1) triangles, outward counter-clockwise.
+asset::Primitive sphere(std::uint32_t segments, std::uint32_t rings, std::uint32_t material = 0);
+
+/// Closed box [-halfExtent, halfExtent] with flat normals, 12 triangles.
+asset::Primitive box(const glm::vec3& halfExtent, std::uint32_t material = 0);
+
+/// Wall in the plane z = 0, [-1, 1]^2, facing +z, whose cells (cells x cells) are open with the given share (seeded).
+asset::Primitive perforatedWall(std::uint32_t cells, float openShare, Random& random, std::uint32_t material = 0);
+
+/// File with one default material and one chain of spheres, `levels` of them, each with a quarter of the triangles.
+asset::SceneFile sphereChain(std::uint32_t levels);
+
+/// Adds an instance with translation, uniform or other scale, and a rotation about an axis.
+void addInstance(asset::SceneFile& file, std::uint32_t chain, const glm::vec3& translation, const glm::vec3& scale,
+                 float angle = 0.0F, const glm::vec3& axis = {0.0F, 1.0F, 0.0F});
+
+/// `count` spheres of random size and place in a cube of the given half side, some mirrored, some flattened.
+asset::SceneFile randomSpheres(std::uint32_t count, float halfSide, std::uint64_t seed);
+
+}  // namespace jalousie::test

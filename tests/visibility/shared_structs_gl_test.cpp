@@ -1,0 +1,161 @@
+// The linked programs are asked where they expect each field of the shared structs: proof, not discipline.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gl/program.h"
+#include "render/program_table.h"
+#include "shared/frame_structs.h"
+#include "shared/scene_structs.h"
+#include "support/gl_test.h"
+#include "visibility/program_table.h"
+
+namespace jalousie {
+namespace {
+
+struct Layout {
+  std::size_t stride;                         ///< of the top-level array; 0 for uniform blocks
+  std::map<std::string, std::size_t> fields;  ///< name as the program spells it -> offset
+};
+
+#define JAL_FIELD(prefix, type, field) \
+  { prefix #field, offsetof(gpu::type, field) }
+
+/// Every field of every shared struct, with the variable name the shaders use.
+const std::map<std::string, Layout>& expectedLayouts() {
+  static const std::map<std::string, Layout> kLayouts = {
+      {"ObjectBlock",
+       {sizeof(gpu::Object),
+        {JAL_FIELD("objects[0].", Object, worldFromObject0), JAL_FIELD("objects[0].", Object, worldFromObject1),
+         JAL_FIELD("objects[0].", Object, worldFromObject2), JAL_FIELD("objects[0].", Object, chain),
+         JAL_FIELD("objects[0].", Object, flags), JAL_FIELD("objects[0].", Object, reserved0),
+         JAL_FIELD("objects[0].", Object, reserved1)}}},
+      {"ChainBlock",
+       {sizeof(gpu::Chain),
+        {JAL_FIELD("chains[0].", Chain, boundsMinObject), JAL_FIELD("chains[0].", Chain, boundsMaxObject),
+         JAL_FIELD("chains[0].", Chain, firstLod), JAL_FIELD("chains[0].", Chain, lodCount),
+         JAL_FIELD("chains[0].", Chain, patchLod), JAL_FIELD("chains[0].", Chain, reserved0)}}},
+      {"LodBlock",
+       {sizeof(gpu::Lod),
+        {JAL_FIELD("lods[0].", Lod, firstIndex), JAL_FIELD("lods[0].", Lod, solidCount),
+         JAL_FIELD("lods[0].", Lod, sheetCount), JAL_FIELD("lods[0].", Lod, baseVertex),
+         JAL_FIELD("lods[0].", Lod, errorObject), JAL_FIELD("lods[0].", Lod, triangleCount),
+         JAL_FIELD("lods[0].", Lod, reserved0), JAL_FIELD("lods[0].", Lod, reserved1)}}},
+      {"MaterialBlock",
+       {sizeof(gpu::Material),
+        {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, layer),
+         JAL_FIELD("materials[0].", Material, flags), JAL_FIELD("materials[0].", Material, alphaCutoff),
+         JAL_FIELD("materials[0].", Material, reserved0)}}},
+      {"CommandBlock",
+       {sizeof(gpu::DrawCommand),
+        {JAL_FIELD("commands[0].", DrawCommand, count), JAL_FIELD("commands[0].", DrawCommand, instanceCount),
+         JAL_FIELD("commands[0].", DrawCommand, firstIndex), JAL_FIELD("commands[0].", DrawCommand, baseVertex),
+         JAL_FIELD("commands[0].", DrawCommand, baseInstance)}}},
+      {"StateBlock",
+       {sizeof(gpu::ObjectState),
+        {JAL_FIELD("states[0].", ObjectState, verdict), JAL_FIELD("states[0].", ObjectState, lod),
+         JAL_FIELD("states[0].", ObjectState, tessellation), JAL_FIELD("states[0].", ObjectState, lv)}}},
+      {"RectBlock",
+       {sizeof(gpu::ScreenRect),
+        {JAL_FIELD("rects[0].", ScreenRect, minX), JAL_FIELD("rects[0].", ScreenRect, minY),
+         JAL_FIELD("rects[0].", ScreenRect, maxX), JAL_FIELD("rects[0].", ScreenRect, maxY)}}},
+      {"CosineBlock", {sizeof(float), {{"cosines[0]", 0}}}},
+      {"CullViewBlock",
+       {0,
+        {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld), JAL_FIELD("CullViewBlock.", CullView, cameraWorld),
+         JAL_FIELD("CullViewBlock.", CullView, viewportWidth), JAL_FIELD("CullViewBlock.", CullView, viewportHeight),
+         JAL_FIELD("CullViewBlock.", CullView, objectCount), JAL_FIELD("CullViewBlock.", CullView, cullMode),
+         JAL_FIELD("CullViewBlock.", CullView, lodRule), JAL_FIELD("CullViewBlock.", CullView, detail),
+         JAL_FIELD("CullViewBlock.", CullView, analyse), JAL_FIELD("CullViewBlock.", CullView, mapLevels),
+         JAL_FIELD("CullViewBlock.", CullView, occluderDistance), JAL_FIELD("CullViewBlock.", CullView, cullThreshold),
+         JAL_FIELD("CullViewBlock.", CullView, maxTessellation), JAL_FIELD("CullViewBlock.", CullView, reserved0)}}},
+      {"DrawViewBlock",
+       {0,
+        {JAL_FIELD("DrawViewBlock.", DrawView, clipFromWorld), JAL_FIELD("DrawViewBlock.", DrawView, cameraWorld),
+         JAL_FIELD("DrawViewBlock.", DrawView, lightWorld), JAL_FIELD("DrawViewBlock.", DrawView, view),
+         JAL_FIELD("DrawViewBlock.", DrawView, detail), JAL_FIELD("DrawViewBlock.", DrawView, mapLevel),
+         JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha), JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth),
+         JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, reserved0),
+         JAL_FIELD("DrawViewBlock.", DrawView, reserved1)}}},
+  };
+  return kLayouts;
+}
+
+std::string resourceName(GLuint program, GLenum kind, GLuint index) {
+  char name[256] = {};
+  glGetProgramResourceName(program, kind, index, sizeof(name), nullptr, name);
+  return name;
+}
+
+/// "cullView.mode" and "CullViewBlock.mode" both name a member of an instance-less or instanced uniform block.
+std::string fieldOf(const std::string& variable) {
+  return variable.substr(variable.rfind('.') + 1);
+}
+
+std::size_t checkVariable(GLuint program, GLenum kind, GLuint index, const std::string& block, const Layout& layout) {
+  const std::string name = resourceName(program, kind, index);
+  for (const auto& [expectedName, expectedOffset] : layout.fields) {
+    if (fieldOf(expectedName) != fieldOf(name)) continue;
+    // An array of structs has a top-level stride, an array of scalars an array stride; the other one is 0.
+    const GLenum properties[] = {GL_OFFSET, GL_ARRAY_STRIDE, GL_TOP_LEVEL_ARRAY_STRIDE};
+    GLint values[3] = {};
+    glGetProgramResourceiv(program, kind, index, kind == GL_BUFFER_VARIABLE ? 3 : 1, properties, 3, nullptr, values);
+    EXPECT_EQ(static_cast<std::size_t>(values[0]), expectedOffset) << block << ": " << name;
+    if (kind == GL_BUFFER_VARIABLE) {
+      EXPECT_EQ(static_cast<std::size_t>(std::max(values[1], values[2])), layout.stride) << block << ": " << name;
+    }
+    return 1;
+  }
+  ADD_FAILURE() << block << " has a field '" << name << "' that this test does not know";
+  return 0;
+}
+
+/// Checks all blocks of one kind; returns the names of the blocks seen.
+std::set<std::string> checkBlocks(GLuint program, GLenum blockKind, GLenum variableKind) {
+  std::set<std::string> seen;
+  GLint blocks = 0;
+  glGetProgramInterfaceiv(program, blockKind, GL_ACTIVE_RESOURCES, &blocks);
+  for (GLuint b = 0; b < static_cast<GLuint>(blocks); ++b) {
+    const std::string name = resourceName(program, blockKind, b);
+    const auto layout = expectedLayouts().find(name);
+    if (layout == expectedLayouts().end()) {
+      ADD_FAILURE() << "unknown block " << name;
+      continue;
+    }
+    const GLenum countProperty = GL_NUM_ACTIVE_VARIABLES;
+    GLint count = 0;
+    glGetProgramResourceiv(program, blockKind, b, 1, &countProperty, 1, nullptr, &count);
+    std::vector<GLint> variables(static_cast<std::size_t>(count));
+    const GLenum listProperty = GL_ACTIVE_VARIABLES;
+    glGetProgramResourceiv(program, blockKind, b, 1, &listProperty, count, nullptr, variables.data());
+    std::size_t checked = 0;
+    for (const GLint variable : variables)
+      checked += checkVariable(program, variableKind, static_cast<GLuint>(variable), name, layout->second);
+    EXPECT_EQ(checked, variables.size()) << name;
+    seen.insert(name);
+  }
+  return seen;
+}
+
+class SharedStructsGl : public test::GlTest {};
+
+TEST_F(SharedStructsGl, EveryProgramOfTheTablesAgreesWithTheCppLayout) {
+  std::set<std::string> seen;
+  for (const auto table : {visibility::programTable(), render::programTable()}) {
+    for (const gl::ProgramSource& source : table) {
+      const gl::Program program(source);
+      seen.merge(checkBlocks(program.id(), GL_SHADER_STORAGE_BLOCK, GL_BUFFER_VARIABLE));
+      seen.merge(checkBlocks(program.id(), GL_UNIFORM_BLOCK, GL_UNIFORM));
+    }
+  }
+  for (const auto& [name, layout] : expectedLayouts())
+    EXPECT_TRUE(seen.contains(name)) << name << " is used by no program";
+}
+
+}  // namespace
+}  // namespace jalousie
