@@ -1,0 +1,105 @@
+// Scene in, frame out.
+#include "app/render_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "app/render_report.h"
+#include "asset/image_io.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/progress.h"
+#include "platform/headless_context.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::app {
+namespace {
+
+scene::Camera pathCamera(const scene::SceneData& scene, float frame, const std::filesystem::path& file) {
+  if (scene.cameras.empty())
+    throw Error(ErrorCode::kUsage, "the scene has no camera; say --eye and --look instead of a frame", file);
+  const std::uint32_t frames = scene::frameCount(scene.cameras.front());
+  if (frame > static_cast<float>(frames - 1))
+    throw Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", frame, frames - 1), file);
+  return scene::cameraAtFrame(scene.cameras.front(), frame);
+}
+
+scene::Camera drawCamera(const RenderOptions& options, const scene::SceneData& scene) {
+  if (options.eye) return scene::lookAt(*options.eye, *options.look, scene.boundsWorld);
+  if (options.frame || !scene.cameras.empty()) return pathCamera(scene, options.frame.value_or(0.0F), options.scene);
+  return scene::frameBox(scene.boundsWorld, static_cast<float>(options.width) / static_cast<float>(options.height));
+}
+
+scene::Camera cullCamera(const RenderOptions& options, const scene::SceneData& scene, const scene::Camera& drawn) {
+  if (options.freezeEye) return scene::lookAt(*options.freezeEye, *options.freezeLook, scene.boundsWorld);
+  if (options.freezeFrame) return pathCamera(scene, *options.freezeFrame, options.scene);
+  return drawn;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Renders options.repeat frames (after a warm-up if more than one) and takes medians per pass.
+FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& renderer, const scene::Camera& cull,
+                        const scene::Camera& draw) {
+  const std::uint32_t warmUps = options.repeat > 1 ? 1 : 0;
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<double>> samples;
+  std::vector<double> frames;
+  renderer.timer().setEnabled(true);
+  Progress progress("rendering", options.repeat + warmUps, options.quiet);
+  for (std::uint32_t i = 0; i < options.repeat + warmUps; ++i) {
+    progress.update(i);
+    renderer.render(options.frameOptions, cull, draw);
+    if (i < warmUps) continue;
+    double sum = 0.0;
+    for (const gl::PassTime& pass : renderer.timer().passes()) {
+      if (i == warmUps) order.emplace_back(pass.name);
+      samples[std::string(pass.name)].push_back(pass.wallMs);
+      sum += pass.wallMs;
+    }
+    frames.push_back(sum);
+  }
+  FrameTimes times;
+  for (const std::string& name : order)
+    times.passes.emplace_back(name, median(samples[name]));
+  times.frameMs = median(frames);
+  return times;
+}
+
+void writeReport(const RenderOptions& options, const RenderReport& report) {
+  if (options.json == "-") {
+    fmt::print("{}", reportJson(options, report));
+  } else {
+    if (!options.json.empty()) writeFileAtomic(options.json, reportJson(options, report));
+    if (!options.quiet) fmt::print("{}", reportText(options, report));
+  }
+}
+
+}  // namespace
+
+void runRender(const RenderOptions& options) {
+  const asset::SceneFile file = asset::readSceneFile(options.scene);
+  const scene::SceneData scene =
+      scene::buildScene(file, {.patches = options.frameOptions.detail == gpu::kDetailTessellation});
+  const scene::Camera draw = drawCamera(options, scene);
+  const scene::Camera cull = cullCamera(options, scene, draw);
+
+  const platform::HeadlessContext context(/*debug=*/false);
+  render::FrameRenderer renderer(scene, options.width, options.height);
+  RenderReport report;
+  report.renderer = context.capabilities().renderer;
+  report.times = renderFrames(options, renderer, cull, draw);
+  report.statistics = renderer.readStatistics();
+  if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
+  writeReport(options, report);
+}
+
+}  // namespace jalousie::app

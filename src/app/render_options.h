@@ -1,0 +1,53 @@
+// Options of `jalousie render`: what the command line says, checked.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "render/frame_renderer.h"
+
+namespace CLI {
+class App;
+}
+
+namespace jalousie::app {
+
+/// A point given as "x,y,z".
+struct PointOption {
+  std::string text;
+  std::optional<glm::vec3> value;
+};
+
+struct RenderOptions {
+  std::filesystem::path scene;
+  std::filesystem::path output;  ///< empty only with statsOnly
+  std::filesystem::path json;    ///< empty: none; "-": standard output
+  std::optional<float> frame;    ///< of the scene's camera path
+  std::optional<glm::vec3> eye;  ///< world; with look
+  std::optional<glm::vec3> look;
+  std::optional<float> freezeFrame;  ///< culling camera, if it differs from the drawing camera
+  std::optional<glm::vec3> freezeEye;
+  std::optional<glm::vec3> freezeLook;
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+  std::string mode = "hom";
+  std::string lod;  ///< empty: linear with hom, else finest
+  std::string lv = "thesis";
+  std::string detail = "discrete";
+  std::string view = "shaded";
+  std::uint32_t repeat = 1;
+  bool statsOnly = false;
+  bool quiet = false;
+  render::FrameOptions frameOptions;  ///< the enums of the texts above, filled by finish()
+
+  /// Resolves texts to enums and refuses contradictions. Errors: kUsage.
+  void finish();
+};
+
+/// Declares the options on a subcommand; values land in options, which must outlive the parse.
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+}  // namespace jalousie::app

@@ -1,0 +1,69 @@
+// Formats the figures of one frame.
+#include "app/render_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace jalousie::app {
+namespace {
+
+/// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+}  // namespace
+
+std::string reportJson(const RenderOptions& options, const RenderReport& report) {
+  const render::FrameStatistics& s = report.statistics;
+  nlohmann::ordered_json json;
+  json["renderer"] = report.renderer;
+  json["width"] = options.width;
+  json["height"] = options.height;
+  json["mode"] = options.mode;
+  json["lod"] = options.lod;
+  json["lv"] = options.lv;
+  json["detail"] = options.detail;
+  json["objects"] = s.objects;
+  json["culled_frustum"] = s.culledFrustum;
+  json["occluders"] = s.occluders;
+  json["culled_occlusion"] = s.culledOcclusion;
+  json["drawn"] = s.drawn;
+  json["triangles"] = s.triangles;
+  json["triangles_full"] = s.trianglesFull;
+  json["lod_histogram"] = s.lodHistogram;
+  json["passes"] = nlohmann::ordered_json::object();
+  for (const auto& [name, ms] : report.times.passes)
+    json["passes"][name] = ms;
+  json["frame_ms"] = report.times.frameMs;
+  return json.dump(2) + "\n";
+}
+
+std::string reportText(const RenderOptions& options, const RenderReport& report) {
+  const render::FrameStatistics& s = report.statistics;
+  std::string text = fmt::format("{}x{}  mode {}  lod {}  detail {}   {}\n", options.width, options.height,
+                                 options.mode, options.lod, options.detail, report.renderer);
+  text += fmt::format("  objects   {:>13}   outside {}, occluded {}, drawn {} ({} occluders)\n", grouped(s.objects),
+                      grouped(s.culledFrustum), grouped(s.culledOcclusion), grouped(s.drawn), grouped(s.occluders));
+  text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
+                      percent(s.triangles, s.trianglesFull), grouped(s.trianglesFull));
+  text += options.detail == "tessellation" ? "  levels 1.." : "  LOD 0..";
+  text += fmt::format(" {}\n", fmt::join(s.lodHistogram, " "));
+  text += fmt::format("  time {:.1f} ms:", report.times.frameMs);
+  for (const auto& [name, ms] : report.times.passes)
+    text += fmt::format("  {} {:.1f}", name, ms);
+  return text + "\n";
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,30 @@
+// The figures of a rendered frame, as JSON with fixed keys and as text for people.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/render_options.h"
+#include "render/frame_statistics.h"
+
+namespace jalousie::app {
+
+/// Names and milliseconds of the passes, in frame order.
+struct FrameTimes {
+  std::vector<std::pair<std::string, double>> passes;  ///< median over the repeats, wall time
+  double frameMs = 0.0;                                ///< median of the passes' sum
+};
+
+struct RenderReport {
+  std::string renderer;
+  render::FrameStatistics statistics;
+  FrameTimes times;
+};
+
+/// Keys as in docs/formats.md. @param options  finished
+std::string reportJson(const RenderOptions& options, const RenderReport& report);
+/// A short summary with the same figures.
+std::string reportText(const RenderOptions& options, const RenderReport& report);
+
+}  // namespace jalousie::app
