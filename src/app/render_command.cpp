@@ -98,6 +98,13 @@ void runRender(const RenderOptions& options) {
   report.renderer = context.capabilities().renderer;
   report.times = renderFrames(options, renderer, cull, draw);
   report.statistics = renderer.readStatistics();
+  report.maxTessellation = renderer.cullView().maxTessellation;
+  if (options.detail == "tessellation" && report.maxTessellation < options.frameOptions.maxTessellation)
+    fmt::print(
+        stderr,
+        "jalousie: warning: {}: tessellation limited to level {}: the base mesh has {} triangles and this software "
+        "renderer drops vertices above that\n",
+        options.scene.string(), report.maxTessellation, scene.maxPatchTriangles);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   writeReport(options, report);
 }

@@ -35,6 +35,7 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["lod"] = options.lod;
   json["lv"] = options.lv;
   json["detail"] = options.detail;
+  if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
   json["objects"] = s.objects;
   json["culled_frustum"] = s.culledFrustum;
   json["occluders"] = s.occluders;

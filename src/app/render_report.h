@@ -20,6 +20,7 @@ struct RenderReport {
   std::string renderer;
   render::FrameStatistics statistics;
   FrameTimes times;
+  std::uint32_t maxTessellation = 0;  ///< finest level in use; below the option where the driver needs it
 };
 
 /// Keys as in docs/formats.md. @param options  finished

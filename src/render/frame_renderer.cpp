@@ -1,8 +1,10 @@
 // classify -> occluders -> reduce -> analyse -> emit -> draw (thesis ch. 3, 4.1).
 #include "render/frame_renderer.h"
 
+#include <algorithm>
 #include <array>
 
+#include "render/tessellation_limit.h"
 #include "scene/patch_base.h"
 
 namespace jalousie::render {
@@ -25,6 +27,7 @@ FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width,
     : scene_(scene),
       width_(width),
       height_(height),
+      tessellationLimit_(tessellationLimit(gl::queryCapabilities(), scene.maxPatchTriangles)),
       buffers_(scene),
       map_(visibility::mapLayout(width, height)),
       visibility_(buffers_.objectCount()),
@@ -78,7 +81,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.occluderDistance =
       options.occluderDistance ? *options.occluderDistance : automaticOccluderDistance(eye, scene_.boundsWorld);
   cullView_.cullThreshold = options.cullThreshold;
-  cullView_.maxTessellation = options.maxTessellation;
+  cullView_.maxTessellation = std::min(options.maxTessellation, tessellationLimit_);
   visibility_.setView(cullView_);
 
   drawView_.clipFromWorld = scene::clipFromWorld(drawCamera, aspect);

@@ -22,6 +22,7 @@ struct FrameOptions {
   gpu::uint lodRule = gpu::kLodLinear;
   gpu::uint detail = gpu::kDetailDiscrete;
   gpu::uint view = gpu::kViewShaded;
+  /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
   gpu::uint maxTessellation = gpu::kMaxTessellationLevel;
   gpu::uint mapLevel = 0;  ///< level shown by kViewOcclusion
   /// World units; objects nearer than this are occluders. Absent: automaticOccluderDistance().
@@ -64,6 +65,7 @@ class FrameRenderer {
   const scene::SceneData& scene_;
   std::uint32_t width_;
   std::uint32_t height_;
+  gpu::uint tessellationLimit_;
   SceneBuffers buffers_;
   visibility::OcclusionMapPass map_;
   visibility::VisibilityPass visibility_;

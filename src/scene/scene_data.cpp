@@ -142,6 +142,7 @@ class Builder {
     if (options_.patches) {
       scene_.lods.push_back(addPatchBase(file_.meshes[chain.levels.back().mesh], bounds));
       result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
+      scene_.maxPatchTriangles = std::max(scene_.maxPatchTriangles, scene_.lods.back().triangleCount);
     }
     if (bounds.empty()) bounds = Aabb{glm::vec3(0.0F), glm::vec3(0.0F)};
     result.boundsMinObject = glm::vec4(bounds.min, 0.0F);

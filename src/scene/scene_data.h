@@ -33,8 +33,9 @@ struct SceneData {
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
-  Aabb boundsWorld;         ///< of all objects
-  bool usesSheets = false;  ///< whether any object draws through the sheet lists
+  Aabb boundsWorld;                     ///< of all objects
+  bool usesSheets = false;              ///< whether any object draws through the sheet lists
+  std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches
 };
 
 /// What the arrays are made for.

@@ -1,0 +1,100 @@
+// Ownership and error reports of the OpenGL wrappers.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/framebuffer.h"
+#include "gl/pass_timer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/program_table.h"
+#include "support/gl_test.h"
+#include "visibility/program_table.h"
+
+namespace jalousie::gl {
+namespace {
+
+class GlObjects : public test::GlTest {};
+
+TEST_F(GlObjects, MovedFromHandleHoldsNothingAndTheNameDiesOnce) {
+  Buffer first(64, 0, "first");
+  const GLuint name = first.id();
+  Buffer second = std::move(first);
+  EXPECT_EQ(second.id(), name);
+  EXPECT_EQ(first.id(), 0U);  // NOLINT(bugprone-use-after-move): the contract under test
+  second = Buffer();
+  EXPECT_EQ(glIsBuffer(name), GL_FALSE);
+}
+
+TEST_F(GlObjects, BufferKeepsWhatWasWritten) {
+  const std::vector<float> values = {1, 2, 3, 4, 5};
+  Buffer buffer = Buffer::fromArray(std::span<const float>(values), "values");
+  EXPECT_EQ(buffer.read<float>(5), values);
+  const std::array<float, 2> change = {8, 9};
+  buffer.write(4, std::as_bytes(std::span(change)));
+  EXPECT_EQ(buffer.read<float>(5), (std::vector<float>{1, 8, 9, 4, 5}));
+}
+
+TEST_F(GlObjects, EmptyBufferCanBeBoundAndSmallOneKeepsItsContent) {
+  const Buffer empty = Buffer::fromArray(std::span<const float>(), "empty");
+  empty.bindStorage(0);
+  const std::vector<std::uint32_t> one = {7};
+  EXPECT_EQ(Buffer::fromArray(std::span<const std::uint32_t>(one), "one").read<std::uint32_t>(1), one);
+}
+
+TEST_F(GlObjects, WritingBeyondTheEndAborts) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  Buffer buffer(16, GL_DYNAMIC_STORAGE_BIT, "small");
+  const std::array<float, 5> tooMuch = {};
+  EXPECT_DEATH(buffer.write(0, std::as_bytes(std::span(tooMuch))), "check failed");
+}
+
+TEST_F(GlObjects, FramebufferReadsTopRowFirst) {
+  const Texture color(GL_TEXTURE_2D, GL_RGBA8, {2, 2, 1, 1}, "colour");
+  const Framebuffer framebuffer(color, nullptr, "frame");
+  const std::array<std::uint8_t, 16> bottomUp = {1, 0, 0, 255, 2, 0, 0, 255, 3, 0, 0, 255, 4, 0, 0, 255};
+  glTextureSubImage2D(color.id(), 0, 0, 0, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE, bottomUp.data());
+  const ImageRgba8 image = framebuffer.readRgba8(2, 2);
+  EXPECT_EQ(image.pixels[image.offset(0, 0)], 3);
+  EXPECT_EQ(image.pixels[image.offset(1, 1)], 2);
+}
+
+TEST_F(GlObjects, EveryProgramOfTheTablesBuilds) {
+  for (const auto table : {visibility::programTable(), render::programTable()})
+    for (const ProgramSource& source : table)
+      EXPECT_NO_THROW(Program{source}) << source.name;
+}
+
+TEST_F(GlObjects, LinkFailureIsAnErrorWithCodeShader) {
+  try {
+    const Program broken({"no fragment inputs", {"render/fullscreen.vert", "render/mesh.frag"}, {}});
+    FAIL() << "a program with missing inputs linked";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kShader);
+  }
+}
+
+TEST_F(GlObjects, DebugLogSeesAMistake) {
+  glBindFramebuffer(GL_FRAMEBUFFER, 12345);  // no such name
+  EXPECT_FALSE(debugLog().problems().empty());
+  debugLog().clear();
+}
+
+TEST_F(GlObjects, TimerReportsPassesOnlyWhenEnabled) {
+  PassTimer timer;
+  timer.beginFrame();
+  { const PassTimer::Scope pass(timer, "quiet"); }
+  EXPECT_TRUE(timer.passes().empty());
+  timer.setEnabled(true);
+  { const PassTimer::Scope pass(timer, "loud"); }
+  ASSERT_EQ(timer.passes().size(), 1U);
+  EXPECT_EQ(timer.passes()[0].name, "loud");
+  EXPECT_GE(timer.passes()[0].wallMs, 0.0);
+}
+
+}  // namespace
+}  // namespace jalousie::gl

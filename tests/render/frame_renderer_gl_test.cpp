@@ -1,0 +1,251 @@
+// Whole frames: every option permutation, repeatability, agreement with the CPU twins, figures against the driver's
+// counts.
+#include "render/frame_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/gl_test.h"
+#include "support/stages.h"
+#include "visibility/overlap_reference.h"
+
+namespace jalousie::render {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 180;
+
+FrameOptions homOptions() {
+  FrameOptions options;
+  options.occluderDistance = test::kWallOccluderDistance;
+  return options;
+}
+
+std::size_t distinctColors(const ImageRgba8& image) {
+  std::set<std::uint32_t> colors;
+  for (std::size_t p = 0; p < image.pixels.size(); p += 4)
+    colors.insert(image.pixels[p] | image.pixels[p + 1] << 8 | image.pixels[p + 2] << 16);
+  return colors.size();
+}
+
+/// Triangles the driver generated between begin and end.
+class PrimitiveQuery {
+ public:
+  PrimitiveQuery() {
+    glGenQueries(1, &id_);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, id_);
+  }
+  ~PrimitiveQuery() { glDeleteQueries(1, &id_); }
+  PrimitiveQuery(const PrimitiveQuery&) = delete;
+  PrimitiveQuery& operator=(const PrimitiveQuery&) = delete;
+  std::uint64_t end() {
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    GLuint64 count = 0;
+    glGetQueryObjectui64v(id_, GL_QUERY_RESULT, &count);
+    return count;
+  }
+
+ private:
+  GLuint id_ = 0;
+};
+
+class FrameRendererGl : public test::GlTest {
+ protected:
+  scene::SceneData wallScene(float openShare, bool patches = false) {
+    return scene::buildScene(test::spheresBehindWall(openShare), {.patches = patches});
+  }
+};
+
+TEST_F(FrameRendererGl, EveryOptionPermutationDrawsAPictureWithACleanLog) {
+  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+    const scene::SceneData scene = wallScene(0.3F, detail == gpu::kDetailTessellation);
+    FrameRenderer renderer(scene, kWidth, kHeight);
+    const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+    for (const gpu::uint mode : {gpu::kCullNone, gpu::kCullFrustum, gpu::kCullHom}) {
+      for (const gpu::uint rule : {gpu::kLodFinest, gpu::kLodLinear}) {
+        for (const gpu::uint view : {gpu::kViewShaded, gpu::kViewLod, gpu::kViewLv, gpu::kViewOcclusion}) {
+          const bool needsMap = rule == gpu::kLodLinear || view >= gpu::kViewLv;
+          if (needsMap && mode != gpu::kCullHom) continue;
+          FrameOptions options = homOptions();
+          options.cullMode = mode;
+          options.lodRule = rule;
+          options.detail = detail;
+          options.view = view;
+          options.maxTessellation = 4;
+          renderer.render(options, camera, camera);
+          const std::size_t colors = distinctColors(renderer.readImage());
+          EXPECT_GE(colors, view == gpu::kViewOcclusion ? 2U : 50U)
+              << "detail " << detail << " mode " << mode << " rule " << rule << " view " << view;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(FrameRendererGl, FramesRepeatBitForBit) {
+  const scene::SceneData scene = wallScene(0.3F);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  FrameRenderer first(scene, kWidth, kHeight);
+  first.render(homOptions(), camera, camera);
+  const ImageRgba8 image = first.readImage();
+  FrameOptions other = homOptions();
+  other.view = gpu::kViewLv;
+  first.render(other, camera, camera);
+  first.render(homOptions(), camera, camera);
+  EXPECT_EQ(first.readImage().pixels, image.pixels) << "the same renderer, later";
+  FrameRenderer second(scene, kWidth, kHeight);
+  second.render(homOptions(), camera, camera);
+  EXPECT_EQ(second.readImage().pixels, image.pixels) << "another renderer";
+}
+
+TEST_F(FrameRendererGl, FrustumCullingChangesNoPixel) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 2));
+  FrameRenderer renderer(scene, 333, 97);
+  for (const glm::vec3 eye : {glm::vec3(0, 0, 14), glm::vec3(2, 1, 0)}) {
+    const scene::Camera camera = scene::lookAt(eye, {0, 0.3F, -2}, scene.boundsWorld);
+    FrameOptions options;
+    options.lodRule = gpu::kLodFinest;
+    options.cullMode = gpu::kCullNone;
+    renderer.render(options, camera, camera);
+    const ImageRgba8 full = renderer.readImage();
+    options.cullMode = gpu::kCullFrustum;
+    renderer.render(options, camera, camera);
+    EXPECT_EQ(renderer.readImage().pixels, full.pixels);
+    EXPECT_GT(renderer.readStatistics().culledFrustum, 0U);
+  }
+}
+
+TEST_F(FrameRendererGl, ClosedWallHidesEverySphereAndNoPixelChanges) {
+  const scene::SceneData scene = wallScene(0.0F);
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = scene::lookAt({0, 0, 2.5F}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options = homOptions();
+  options.occluderDistance = 3.0F;
+  options.cullMode = gpu::kCullNone;
+  options.lodRule = gpu::kLodFinest;
+  renderer.render(options, camera, camera);
+  const ImageRgba8 full = renderer.readImage();
+  options.cullMode = gpu::kCullHom;
+  renderer.render(options, camera, camera);
+  EXPECT_EQ(renderer.readImage().pixels, full.pixels);
+  const FrameStatistics s = renderer.readStatistics();
+  EXPECT_EQ(s.occluders, 1U);
+  EXPECT_EQ(s.drawn, 1U);
+  EXPECT_EQ(s.culledFrustum + s.culledOcclusion, 45U);
+}
+
+TEST_F(FrameRendererGl, DetailFallsAsTheWallCloses) {
+  std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  for (const float openShare : {0.9F, 0.5F, 0.2F, 0.05F}) {
+    const scene::SceneData scene = wallScene(openShare);
+    FrameRenderer renderer(scene, kWidth, kHeight);
+    const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+    renderer.render(homOptions(), camera, camera);
+    const FrameStatistics s = renderer.readStatistics();
+    const std::uint64_t spheres = s.triangles - scene.lods[scene.chains[1].firstLod].triangleCount;
+    EXPECT_LT(spheres, last) << "open share " << openShare;
+    last = spheres;
+  }
+}
+
+TEST_F(FrameRendererGl, WholeFrameAgreesWithTheTwins) {
+  const scene::SceneData scene = wallScene(0.25F);
+  FrameRenderer renderer(scene, 333, 197);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  renderer.render(homOptions(), camera, camera);
+  const visibility::OcclusionMapReference map(renderer.map().layout(), renderer.map().readOpenPixels());
+  const std::vector<gpu::ObjectState> states = renderer.readStates();
+  const std::vector<gpu::ScreenRect> rects = renderer.readRects();
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].verdict < gpu::kVerdictOpen && states[i].verdict != gpu::kVerdictOccluded) continue;
+    const visibility::OverlapResult expected = visibility::testOverlap(map, rects[i], 1.0F);
+    EXPECT_EQ(states[i].verdict, expected.verdict) << i;
+    EXPECT_NEAR(states[i].lv, expected.lv, 2e-5F) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30U);
+}
+
+TEST_F(FrameRendererGl, OccludersArePaintedByTheMapAndNothingElse) {
+  const scene::SceneData scene = wallScene(0.5F);
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  FrameOptions options = homOptions();
+  options.occluderDistance = 0.0F;  // no occluders: the map stays open everywhere
+  renderer.render(options, camera, camera);
+  for (const float open : renderer.map().readOpenPixels())
+    ASSERT_EQ(open, 1.0F);
+  const FrameStatistics s = renderer.readStatistics();
+  EXPECT_EQ(s.occluders, 0U);
+  EXPECT_EQ(s.culledOcclusion, 0U);
+  EXPECT_EQ(s.lodHistogram[0], s.drawn);
+}
+
+TEST_F(FrameRendererGl, FrozenCullingCameraKeepsVerdictsWhileTheViewMoves) {
+  const scene::SceneData scene = wallScene(0.2F);
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera front = test::cameraBeforeWall(scene.boundsWorld);
+  const scene::Camera side = scene::lookAt({9, 3, -9}, {0, 0, -4}, scene.boundsWorld);
+  renderer.render(homOptions(), front, front);
+  const FrameStatistics before = renderer.readStatistics();
+  const ImageRgba8 frontImage = renderer.readImage();
+  renderer.render(homOptions(), front, side);
+  EXPECT_EQ(renderer.readStatistics().triangles, before.triangles);
+  EXPECT_EQ(renderer.readStatistics().lodHistogram, before.lodHistogram);
+  EXPECT_NE(renderer.readImage().pixels, frontImage.pixels);
+}
+
+TEST_F(FrameRendererGl, TriangleCountEqualsTheDriversCount) {
+  asset::SceneFile file = test::randomSpheres(60, 6.0F, 12);
+  const scene::Camera camera = scene::lookAt({0, 0, 14}, {0, 0, 0}, {glm::vec3(-6), glm::vec3(6)});
+  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == gpu::kDetailTessellation});
+    FrameRenderer renderer(scene, 64, 64);
+    FrameOptions options;
+    options.detail = detail;
+    options.cullMode = gpu::kCullFrustum;
+    options.lodRule = gpu::kLodFinest;
+    options.maxTessellation = 7;
+    PrimitiveQuery query;
+    renderer.render(options, camera, camera);
+    EXPECT_EQ(query.end(), renderer.readStatistics().triangles) << "detail " << detail;
+  }
+}
+
+TEST_F(FrameRendererGl, EmptySceneShowsTheBackground) {
+  const scene::SceneData scene = scene::buildScene(test::sphereChain(1));
+  FrameRenderer renderer(scene, 33, 17);
+  const scene::Camera camera = scene::frameBox(scene.boundsWorld, 1.0F);
+  renderer.render({}, camera, camera);
+  EXPECT_EQ(distinctColors(renderer.readImage()), 1U);
+  EXPECT_EQ(renderer.readStatistics().drawn, 0U);
+}
+
+TEST_F(FrameRendererGl, SkippingTheDrawKeepsTheFigures) {
+  const scene::SceneData scene = wallScene(0.3F);
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  renderer.render(homOptions(), camera, camera);
+  const FrameStatistics drawn = renderer.readStatistics();
+  FrameOptions options = homOptions();
+  options.skipDraw = true;
+  renderer.render(options, camera, camera);
+  EXPECT_EQ(renderer.readStatistics().triangles, drawn.triangles);
+}
+
+TEST_F(FrameRendererGl, PassesAreTimedByName) {
+  const scene::SceneData scene = wallScene(0.3F);
+  FrameRenderer renderer(scene, 64, 64);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  renderer.timer().setEnabled(true);
+  renderer.render(homOptions(), camera, camera);
+  std::vector<std::string> names;
+  for (const gl::PassTime& pass : renderer.timer().passes())
+    names.emplace_back(pass.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"classify", "occluders", "reduce", "analyse", "emit", "draw"}));
+}
+
+}  // namespace
+}  // namespace jalousie::render

@@ -1,0 +1,91 @@
+// Stored frames of every view; a change that moves pixels must be looked at.
+#include <gtest/gtest.h>
+
+#include "render/frame_renderer.h"
+#include "support/gl_test.h"
+#include "support/image_compare.h"
+#include "support/stages.h"
+
+namespace jalousie::render {
+namespace {
+
+class GoldenGl : public test::GlTest {
+ protected:
+  static ImageRgba8 frame(FrameOptions options) {
+    const scene::SceneData scene =
+        scene::buildScene(test::spheresBehindWall(0.35F), {.patches = options.detail == gpu::kDetailTessellation});
+    FrameRenderer renderer(scene, 320, 180);
+    const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+    options.occluderDistance = test::kWallOccluderDistance;
+    renderer.render(options, camera, camera);
+    return renderer.readImage();
+  }
+};
+
+TEST_F(GoldenGl, Shaded) {
+  EXPECT_TRUE(test::matchesGolden(frame({}), "wall_shaded"));
+}
+
+TEST_F(GoldenGl, LodView) {
+  FrameOptions options;
+  options.view = gpu::kViewLod;
+  EXPECT_TRUE(test::matchesGolden(frame(options), "wall_lod"));
+}
+
+TEST_F(GoldenGl, LvView) {
+  FrameOptions options;
+  options.view = gpu::kViewLv;
+  EXPECT_TRUE(test::matchesGolden(frame(options), "wall_lv"));
+}
+
+TEST_F(GoldenGl, OcclusionMapView) {
+  FrameOptions options;
+  options.view = gpu::kViewOcclusion;
+  EXPECT_TRUE(test::matchesGolden(frame(options), "wall_occlusion"));
+  options.mapLevel = 3;
+  EXPECT_TRUE(test::matchesGolden(frame(options), "wall_occlusion_level3"));
+}
+
+TEST_F(GoldenGl, Tessellation) {
+  FrameOptions options;
+  options.detail = gpu::kDetailTessellation;
+  options.maxTessellation = 12;  // below every driver's limit for the wall's many patches
+  options.view = gpu::kViewLod;
+  EXPECT_TRUE(test::matchesGolden(frame(options), "wall_tessellation_lod"));
+}
+
+TEST_F(GoldenGl, MaskedBlendedMirroredAndTexturedSurfaces) {
+  asset::SceneFile file = test::sphereChain(1);
+  ImageRgba8 checker{8, 8, std::vector<std::uint8_t>(256)};
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    const bool dark = ((i ^ (i >> 3)) & 1U) != 0;
+    const std::uint8_t texel[4] = {static_cast<std::uint8_t>(dark ? 40 : 230), 160, 60,
+                                   static_cast<std::uint8_t>(dark ? 20 : 255)};
+    std::copy_n(texel, 4, checker.pixels.begin() + 4 * i);
+  }
+  file.images.push_back(checker);
+  for (const asset::AlphaMode mode : {asset::AlphaMode::kOpaque, asset::AlphaMode::kMask, asset::AlphaMode::kBlend}) {
+    asset::Material material;
+    material.image = 0;
+    material.alphaMode = mode;
+    material.doubleSided = mode != asset::AlphaMode::kOpaque;
+    const auto index = static_cast<std::uint32_t>(file.materials.size());
+    file.materials.push_back(material);
+    file.meshes.push_back({"box", {test::box(glm::vec3(0.7F), index)}});
+    file.chains.push_back({"box", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
+    const float x = 2.0F * (static_cast<float>(index) - 2.0F);
+    test::addInstance(file, index, {x, 1, 0}, glm::vec3(1), 0.7F, {1, 1, 0});
+    test::addInstance(file, index, {x, -1, 0}, {-1, 1, 1}, 0.7F, {1, 1, 0});
+  }
+  const scene::SceneData scene = scene::buildScene(file);
+  FrameRenderer renderer(scene, 320, 180);
+  const scene::Camera camera = scene::lookAt({0, 0, 6}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options;
+  options.cullMode = gpu::kCullFrustum;
+  options.lodRule = gpu::kLodFinest;
+  renderer.render(options, camera, camera);
+  EXPECT_TRUE(test::matchesGolden(renderer.readImage(), "surfaces"));
+}
+
+}  // namespace
+}  // namespace jalousie::render

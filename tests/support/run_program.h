@@ -1,0 +1,33 @@
+// Runs one of the project's programs and collects what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace jalousie::test {
+
+struct ProgramResult {
+  int exitCode = -1;  ///< 128 + signal number if a signal ended it
+  std::string standardOutput;
+  std::string standardError;
+};
+
+/// Runs `program ARGUMENT...` without a shell and waits for it.
+ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+
+/// A fresh folder below the system's temporary one, removed with everything in it at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace jalousie::test
