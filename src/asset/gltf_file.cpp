@@ -1,0 +1,249 @@
+// Loading: we read every file and check the document ourselves; tinygltf only turns checked JSON into its structs and
+// is handed the bytes of buffers and images through its callbacks, so that no URI of a document reaches it.
+#include "asset/gltf_file.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "asset/accessor_layout.h"
+#include "asset/gltf_json.h"
+#include "asset/gltf_resources.h"
+#include "asset/gltf_validate.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::asset {
+namespace {
+
+using nlohmann::json;
+using Path = std::filesystem::path;
+
+constexpr std::uint32_t kGlbMagic = 0x46546C67;   // "glTF"
+constexpr std::uint32_t kGlbJson = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t kGlbBinary = 0x004E4942;  // "BIN\0"
+
+/// The two parts of a file; `binary` is absent in .gltf files and in GLB files without a second chunk.
+struct Parts {
+  std::string_view json;
+  std::optional<std::span<const std::byte>> binary;
+};
+
+std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+std::string_view asText(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Takes the chunk at `offset`. Errors: kMalformed.
+std::span<const std::byte> chunkAt(std::span<const std::byte> glb, std::size_t offset, std::uint32_t type,
+                                   const Path& file) {
+  if (glb.size() - offset < 8) throw Error(ErrorCode::kMalformed, "GLB chunk header is cut off", file);
+  const std::uint32_t length = word(glb, offset);
+  if (length > glb.size() - offset - 8)
+    throw Error(ErrorCode::kMalformed, fmt::format("GLB chunk of {} bytes is cut off", length), file);
+  if (word(glb, offset + 4) != type) throw Error(ErrorCode::kMalformed, "GLB chunk has the wrong type", file);
+  if (length % 4 != 0) throw Error(ErrorCode::kMalformed, "GLB chunk is not padded to four bytes", file);
+  return glb.subspan(offset + 8, length);
+}
+
+Parts splitGlb(std::span<const std::byte> bytes, const Path& file) {
+  if (bytes.size() < 12) throw Error(ErrorCode::kMalformed, "GLB header is cut off", file);
+  const std::uint32_t version = word(bytes, 4);
+  if (version != 2) throw Error(ErrorCode::kUnsupported, fmt::format("GLB version {}, only 2 is read", version), file);
+  const std::uint32_t length = word(bytes, 8);
+  if (length < 12 || length > bytes.size())
+    throw Error(ErrorCode::kMalformed, fmt::format("GLB says {} bytes, the file has {}", length, bytes.size()), file);
+  const std::span<const std::byte> glb = bytes.first(length);
+  const std::span<const std::byte> text = chunkAt(glb, 12, kGlbJson, file);
+  Parts parts{asText(text), std::nullopt};
+  const std::size_t next = 12 + 8 + text.size();
+  if (next < glb.size()) parts.binary = chunkAt(glb, next, kGlbBinary, file);
+  return parts;
+}
+
+Parts split(std::span<const std::byte> bytes, const Path& file) {
+  if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) return splitGlb(bytes, file);
+  return {asText(bytes), std::nullopt};
+}
+
+/// What tinygltf asks for through its callbacks, in place of the files a document names.
+struct Resources {
+  std::vector<std::vector<unsigned char>> buffers;
+  std::vector<tinygltf::Image> images;  ///< encoded bytes, URI, MIME type and buffer view of the document
+};
+
+std::optional<std::string> uriOf(const json& object, const Path& file) {
+  const auto found = object.find("uri");
+  if (found == object.end()) return std::nullopt;
+  if (!found->is_string()) throw Error(ErrorCode::kMalformed, "\"uri\" is not a string", file);
+  return found->get<std::string>();
+}
+
+std::vector<unsigned char> loadBuffer(const json& buffer, std::size_t index, const Parts& parts,
+                                      detail::ResourceLoader& loader, const Path& file) {
+  const std::uint64_t length = detail::unsignedMember(buffer, "byteLength", 0, file);
+  if (length == 0) throw Error(ErrorCode::kMalformed, fmt::format("buffer {} has no byteLength", index), file);
+  std::vector<unsigned char> data;
+  if (const auto uri = uriOf(buffer, file)) {
+    data = loader.load(*uri);
+  } else {
+    if (index != 0 || !parts.binary)
+      throw Error(ErrorCode::kMalformed, fmt::format("buffer {} has neither URI nor chunk", index), file);
+    data = loader.copy(*parts.binary);
+  }
+  if (data.size() < length)
+    throw Error(ErrorCode::kMalformed, fmt::format("buffer {} has {} of {} bytes", index, data.size(), length), file);
+  data.resize(length);
+  return data;
+}
+
+/// Image properties that tinygltf would act on; bytes only for images with a URI.
+tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::ResourceLoader& loader,
+                                const Path& file) {
+  tinygltf::Image image;
+  const auto uri = uriOf(source, file);
+  const bool hasView = source.contains("bufferView");
+  if (uri.has_value() == hasView)
+    throw Error(ErrorCode::kMalformed, fmt::format("image {} needs either a URI or a buffer view", index), file);
+  if (source.contains("mimeType") && source["mimeType"].is_string()) image.mimeType = source["mimeType"];
+  if (hasView) image.bufferView = static_cast<int>(detail::unsignedMember(source, "bufferView", 0, file));
+  if (uri) {
+    image.image = loader.load(*uri);
+    if (!uri->starts_with("data:")) image.uri = *uri;
+  }
+  return image;
+}
+
+/// Loads all resources and replaces their references in the document by "buffer/I" and "image/I".
+Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader, const Path& file) {
+  Resources resources;
+  if (const auto buffers = document.find("buffers"); buffers != document.end()) {
+    for (json& buffer : *buffers) {
+      const std::size_t index = resources.buffers.size();
+      resources.buffers.push_back(loadBuffer(buffer, index, parts, loader, file));
+      buffer["uri"] = fmt::format("buffer/{}", index);
+    }
+  }
+  if (const auto images = document.find("images"); images != document.end()) {
+    for (json& image : *images) {
+      const std::size_t index = resources.images.size();
+      resources.images.push_back(loadImageSource(image, index, loader, file));
+      image.erase("bufferView");
+      image["uri"] = fmt::format("image/{}", index);
+    }
+  }
+  return resources;
+}
+
+bool resourceExists(const std::string&, void*) {
+  return true;
+}
+
+std::string samePath(const std::string& path, void*) {
+  return path;
+}
+
+bool readResource(std::vector<unsigned char>* out, std::string*, const std::string& path, void* user) {
+  auto& resources = *static_cast<Resources*>(user);
+  const std::size_t slash = path.rfind('/');
+  const std::size_t index = std::stoul(path.substr(slash + 1));
+  if (path.substr(0, slash).ends_with("buffer")) {
+    *out = std::move(resources.buffers.at(index));
+  } else {
+    out->assign(1, 0);  // the image callback supplies the bytes; tinygltf only insists on some
+  }
+  return true;
+}
+
+bool refuseWrite(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+  return false;
+}
+
+bool keepEncoded(tinygltf::Image* image, const int index, std::string*, std::string*, int, int, const unsigned char*,
+                 int, void* user) {
+  tinygltf::Image& source = static_cast<Resources*>(user)->images.at(static_cast<std::size_t>(index));
+  image->image = std::move(source.image);
+  image->uri = std::move(source.uri);
+  image->mimeType = std::move(source.mimeType);
+  image->bufferView = -1;
+  image->as_is = true;
+  return true;
+}
+
+tinygltf::Model parseModel(const json& document, Resources& resources, const Path& file) {
+  const std::string text = document.dump();
+  if (text.size() > std::numeric_limits<unsigned int>::max())
+    throw Error(ErrorCode::kLimit, "the JSON exceeds 4 GiB", file);
+  tinygltf::TinyGLTF parser;
+  parser.SetFsCallbacks({resourceExists, samePath, readResource, refuseWrite, &resources});
+  parser.SetImageLoader(keepEncoded, &resources);
+  tinygltf::Model model;
+  std::string errors;
+  std::string warnings;
+  if (!parser.LoadASCIIFromString(&model, &errors, &warnings, text.data(), static_cast<unsigned int>(text.size()),
+                                  "")) {
+    errors = errors.substr(0, errors.find('\n'));
+    throw Error(ErrorCode::kMalformed, errors.empty() ? "no valid glTF" : errors, file);
+  }
+  return model;
+}
+
+/// Gives the images of buffer views their bytes, now that the views are known to be valid.
+void fillImages(tinygltf::Model& model, const Resources& resources, detail::ResourceLoader& loader) {
+  for (std::size_t i = 0; i < model.images.size(); ++i) {
+    tinygltf::Image& image = model.images[i];
+    image.bufferView = resources.images[i].bufferView;
+    if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView));
+    if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
+  }
+}
+
+void clearPlaceholders(tinygltf::Model& model) {
+  for (tinygltf::Buffer& buffer : model.buffers)
+    buffer.uri.clear();
+}
+
+tinygltf::Model loadChecked(const Path& path, const Limits& limits) {
+  const std::vector<std::byte> bytes = readFile(path, limits.maxFileBytes);
+  const Parts parts = split(bytes, path);
+  json document = detail::parseDocument(parts.json, limits, path);
+  detail::ResourceLoader loader(path, limits);
+  Resources resources = takeResources(document, parts, loader, path);
+  tinygltf::Model model = parseModel(document, resources, path);
+  clearPlaceholders(model);
+  fillImages(model, resources, loader);
+  detail::validateModel(model, limits);
+  return model;
+}
+
+}  // namespace
+
+tinygltf::Model loadGltf(const Path& path, const Limits& limits) {
+  try {
+    return loadChecked(path, limits);
+  } catch (const Error& error) {
+    if (!error.file().empty()) throw;
+    throw Error(error.code(), error.what(), path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kLimit, "out of memory", path);
+  } catch (const std::exception& error) {
+    throw Error(ErrorCode::kMalformed, error.what(), path);
+  }
+}
+
+void saveGlb(const tinygltf::Model& model, const Path& path) {
+  writeFileAtomic(path, encodeGlb(model));
+}
+
+}  // namespace jalousie::asset

@@ -1,0 +1,165 @@
+// Scan, parse and shape checks of glTF JSON.
+#include "asset/gltf_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
+
+namespace jalousie::asset::detail {
+namespace {
+
+using nlohmann::json;
+using Path = std::filesystem::path;
+
+constexpr std::uint64_t kMaxIndex = std::numeric_limits<int>::max();
+constexpr std::uint64_t kMaxSize = 1ULL << 53U;  // integers a JSON number carries exactly
+
+constexpr std::array kKnownExtensions = {"MSFT_lod", "EXT_mesh_gpu_instancing", "KHR_mesh_quantization",
+                                         "KHR_texture_transform"};
+constexpr std::array kTopLevelArrays = {"accessors", "animations", "buffers", "bufferViews", "cameras",
+                                        "images",    "materials",  "meshes",  "nodes",       "samplers",
+                                        "scenes",    "skins",      "textures"};
+constexpr std::array kIndexKeys = {
+    "bufferView", "buffer", "mesh", "camera", "skin",   "material", "indices",  "source",
+    "sampler",    "index",  "node", "input",  "output", "scene",    "skeleton", "inverseBindMatrices",
+    "texCoord",   "mode"};
+constexpr std::array kIndexMapKeys = {"attributes"};
+constexpr std::array kIndexListKeys = {"nodes", "children", "joints", "ids"};
+constexpr std::array kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count", "componentType"};
+
+template <class List>
+bool contains(const List& list, std::string_view key) {
+  return std::find(list.begin(), list.end(), key) != list.end();
+}
+
+/// Bounds nesting and the number of values; brackets and commas inside strings do not count.
+void scan(std::string_view text, const Limits& limits, const Path& file) {
+  std::uint64_t depth = 0;
+  std::uint64_t elements = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\') ++i;
+      inString = c != '"';
+      continue;
+    }
+    inString = c == '"';
+    if (c == '{' || c == '[') ++depth;
+    if ((c == '}' || c == ']') && depth > 0) --depth;
+    if (c == ',') ++elements;
+    if (depth > limits.maxJsonDepth)
+      throw Error(ErrorCode::kLimit, fmt::format("JSON is nested deeper than {}", limits.maxJsonDepth), file);
+    if (elements > limits.maxJsonElements)
+      throw Error(ErrorCode::kLimit, fmt::format("JSON has more than {} elements", limits.maxJsonElements), file);
+  }
+}
+
+std::uint64_t requireUnsigned(const json& value, const char* key, std::uint64_t limit, const Path& file) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > limit)
+    throw Error(ErrorCode::kMalformed, fmt::format("\"{}\" is not a valid index or size", key), file);
+  return value.get<std::uint64_t>();
+}
+
+void requireIndices(const json& values, const char* key, const Path& file) {
+  for (const json& value : values) {
+    if (!value.is_object()) requireUnsigned(value, key, kMaxIndex, file);
+  }
+}
+
+/// Checks the members of one object that are indices or sizes by their name.
+void checkMember(const std::string& key, const json& value, const Path& file) {
+  if (contains(kIndexKeys, key) && !value.is_object()) requireUnsigned(value, key.c_str(), kMaxIndex, file);
+  if (contains(kSizeKeys, key)) requireUnsigned(value, key.c_str(), kMaxSize, file);
+  if (contains(kIndexListKeys, key) && value.is_array()) requireIndices(value, key.c_str(), file);
+  if (contains(kIndexMapKeys, key) && value.is_object()) requireIndices(value, key.c_str(), file);
+}
+
+/// Walks everything but extras and the extensions of others. Recursion is bounded by the scan.
+void checkNumbers(const json& value, const Path& file) {
+  if (value.is_array()) {
+    for (const json& element : value)
+      checkNumbers(element, file);
+  }
+  if (!value.is_object()) return;
+  for (const auto& [key, member] : value.items()) {
+    if (key == "extras") continue;
+    if (key == "extensions" && member.is_object()) {
+      for (const char* known : {"MSFT_lod", "EXT_mesh_gpu_instancing"}) {
+        const auto extension = member.find(known);
+        if (extension == member.end()) continue;
+        if (!extension->is_object()) throw Error(ErrorCode::kMalformed, fmt::format("{} is no object", known), file);
+        checkNumbers(*extension, file);
+      }
+      continue;
+    }
+    checkMember(key, member, file);
+    checkNumbers(member, file);
+  }
+}
+
+void checkVersion(const json& document, const Path& file) {
+  const auto asset = document.find("asset");
+  if (asset == document.end() || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string())
+    throw Error(ErrorCode::kMalformed, "no glTF document: asset.version is missing", file);
+  const std::string version = (*asset)["version"].get<std::string>();
+  if (!version.starts_with("2."))
+    throw Error(ErrorCode::kUnsupported, fmt::format("glTF version \"{}\", only 2.0 is read", version), file);
+  if (asset->contains("minVersion") && (*asset)["minVersion"] != "2.0")
+    throw Error(ErrorCode::kUnsupported, "glTF minVersion above 2.0", file);
+}
+
+void checkExtensions(const json& document, const Path& file) {
+  const auto required = document.find("extensionsRequired");
+  if (required == document.end()) return;
+  if (!required->is_array()) throw Error(ErrorCode::kMalformed, "extensionsRequired is not an array", file);
+  std::string unknown;
+  for (const json& name : *required) {
+    if (!name.is_string()) throw Error(ErrorCode::kMalformed, "extensionsRequired holds no names", file);
+    const auto& text = name.get_ref<const std::string&>();
+    if (contains(kKnownExtensions, text) || text.starts_with("KHR_materials_")) continue;
+    unknown += (unknown.empty() ? "" : ", ") + text;
+  }
+  if (!unknown.empty())
+    throw Error(ErrorCode::kUnsupported, fmt::format("the file requires extensions not known here: {}", unknown), file);
+}
+
+void checkTopLevel(const json& document, const Path& file) {
+  for (const char* key : kTopLevelArrays) {
+    const auto found = document.find(key);
+    if (found == document.end()) continue;
+    const bool objects = found->is_array() &&
+                         std::all_of(found->begin(), found->end(), [](const json& entry) { return entry.is_object(); });
+    if (!objects) throw Error(ErrorCode::kMalformed, fmt::format("\"{}\" is not an array of objects", key), file);
+  }
+}
+
+}  // namespace
+
+json parseDocument(std::string_view text, const Limits& limits, const Path& file) {
+  scan(text, limits, file);
+  json document;
+  try {
+    document = json::parse(text);
+  } catch (const json::exception& error) {
+    throw Error(ErrorCode::kMalformed, fmt::format("JSON: {}", error.what()), file);
+  }
+  if (!document.is_object()) throw Error(ErrorCode::kMalformed, "the JSON is not an object", file);
+  checkVersion(document, file);
+  checkExtensions(document, file);
+  checkTopLevel(document, file);
+  checkNumbers(document, file);
+  return document;
+}
+
+std::uint64_t unsignedMember(const json& object, const char* key, std::uint64_t fallback, const Path& file) {
+  const auto found = object.find(key);
+  return found == object.end() ? fallback : requireUnsigned(*found, key, kMaxSize, file);
+}
+
+}  // namespace jalousie::asset::detail

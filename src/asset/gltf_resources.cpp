@@ -1,0 +1,151 @@
+// URI decoding and confined file access for glTF documents.
+#include "asset/gltf_resources.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::asset::detail {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<unsigned> hexDigit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
+  return std::nullopt;
+}
+
+/// Replaces %XX; a lone percent sign stays, as exporters write file names undecoded.
+std::string percentDecoded(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size()) {
+      const auto high = hexDigit(text[i + 1]);
+      const auto low = hexDigit(text[i + 2]);
+      if (high && low) {
+        result += static_cast<char>(*high * 16U + *low);
+        i += 2;
+        continue;
+      }
+    }
+    result += text[i];
+  }
+  return result;
+}
+
+constexpr std::array<std::int8_t, 256> makeBase64Table() {
+  std::array<std::int8_t, 256> table{};
+  table.fill(-1);
+  constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+    table[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::int8_t>(i);
+  return table;
+}
+
+std::optional<std::vector<unsigned char>> base64Decoded(std::string_view text) {
+  static constexpr std::array<std::int8_t, 256> kTable = makeBase64Table();
+  while (!text.empty() && text.back() == '=')
+    text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
+  std::vector<unsigned char> bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  unsigned held = 0;
+  for (const char c : text) {
+    const std::int8_t digit = kTable[static_cast<unsigned char>(c)];
+    if (digit < 0) return std::nullopt;
+    bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held >= 8) {
+      held -= 8;
+      bytes.push_back(static_cast<unsigned char>((bits >> held) & 0xFFU));
+    }
+  }
+  return bytes;
+}
+
+bool isInside(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+/// Part of a URI fit for an error message: one line, not the megabytes of a data URI.
+std::string shortened(const std::string& uri) {
+  std::string text = uri.substr(0, 80);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+  return text;
+}
+
+}  // namespace
+
+ResourceLoader::ResourceLoader(fs::path document, const Limits& limits)
+    : document_(std::move(document)), maxBytes_(limits.maxFileBytes) {}
+
+std::vector<unsigned char> ResourceLoader::load(const std::string& uri) {
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64"))
+      throw Error(ErrorCode::kMalformed, fmt::format("data URI without base64: {}", shortened(uri)), document_);
+    auto bytes = base64Decoded(std::string_view(uri).substr(comma + 1));
+    if (!bytes) throw Error(ErrorCode::kMalformed, fmt::format("bad base64: {}", shortened(uri)), document_);
+    account(bytes->size());
+    return std::move(*bytes);
+  }
+  const std::vector<std::byte> bytes = readFile(resolve(uri), maxBytes_ - usedBytes_);
+  return copy(bytes);
+}
+
+std::vector<unsigned char> ResourceLoader::copy(std::span<const std::byte> bytes) {
+  account(bytes.size());
+  std::vector<unsigned char> result(bytes.size());
+  if (!bytes.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
+  return result;
+}
+
+void ResourceLoader::account(std::uint64_t bytes) {
+  if (bytes > maxBytes_ - usedBytes_)
+    throw Error(ErrorCode::kLimit, fmt::format("buffers and images exceed {} bytes", maxBytes_), document_);
+  usedBytes_ += bytes;
+}
+
+fs::path ResourceLoader::resolve(const std::string& uri) const {
+  const auto refuse = [&](ErrorCode code, std::string_view why) {
+    throw Error(code, fmt::format("URI \"{}\" {}", shortened(uri), why), document_);
+  };
+  const std::string decoded = percentDecoded(uri);
+  if (decoded.empty() || decoded.find('\0') != std::string::npos) refuse(ErrorCode::kMalformed, "is no file name");
+  if (decoded.substr(0, decoded.find('/')).find(':') != std::string::npos)
+    refuse(ErrorCode::kUnsupported, "has a scheme; only relative files and data URIs are read");
+
+  std::error_code failed;
+  const fs::path parent = document_.has_parent_path() ? document_.parent_path() : fs::path(".");
+  const fs::path folder = fs::canonical(parent, failed);
+  if (failed) throw Error(ErrorCode::kFileUnreadable, failed.message(), parent);
+  // Compare before the file system is asked: what lies outside must not even be probed.
+  if (!isInside((folder / decoded).lexically_normal(), folder))
+    refuse(ErrorCode::kUnsupported, "leaves the folder of the document");
+  const fs::path target = fs::canonical(folder / decoded, failed);
+  if (failed) throw Error(ErrorCode::kFileNotFound, failed.message(), folder / decoded);
+  if (!isInside(target, folder)) refuse(ErrorCode::kUnsupported, "leaves the folder of the document");
+  return target;
+}
+
+std::string sniffMimeType(std::span<const unsigned char> bytes) {
+  constexpr std::array<unsigned char, 4> kPng = {0x89, 'P', 'N', 'G'};
+  constexpr std::array<unsigned char, 3> kJpeg = {0xFF, 0xD8, 0xFF};
+  if (bytes.size() >= kPng.size() && std::equal(kPng.begin(), kPng.end(), bytes.begin())) return "image/png";
+  if (bytes.size() >= kJpeg.size() && std::equal(kJpeg.begin(), kJpeg.end(), bytes.begin())) return "image/jpeg";
+  return {};
+}
+
+}  // namespace jalousie::asset::detail

@@ -1,0 +1,14 @@
+// Structural validation of a parsed model.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include "asset/gltf_file.h"
+
+namespace jalousie::asset::detail {
+
+/// Checks that every index is in range, every buffer view lies in its buffer, every accessor in its view, that the
+/// nodes form a forest and scenes list only its roots, each once. Errors (without a file): kMalformed, kLimit.
+void validateModel(const tinygltf::Model& model, const Limits& limits);
+
+}  // namespace jalousie::asset::detail

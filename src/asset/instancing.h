@@ -1,0 +1,28 @@
+// EXT_mesh_gpu_instancing: one node, many transforms.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <vector>
+
+#include "asset/gltf_file.h"
+
+namespace jalousie::asset {
+
+/// Transforms nodeFromInstance = T * R * S. All three vectors have the same length.
+struct Instances {
+  std::vector<glm::vec3> translations;
+  std::vector<glm::quat> rotations;
+  std::vector<glm::vec3> scales;
+};
+
+/// Appends the accessors of EXT_mesh_gpu_instancing and returns the extension's value, so that a LOD chain's nodes can
+/// share it: node.extensions["EXT_mesh_gpu_instancing"] = value. Declares the extension in model.extensionsUsed.
+tinygltf::Value appendInstances(tinygltf::Model& model, const Instances& instances);
+/// Reads a node's instances; missing attributes are identity; empty vectors if the node has no such extension.
+/// Errors: kMalformed (counts differ), kLimit.
+Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
+
+}  // namespace jalousie::asset

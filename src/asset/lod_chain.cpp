@@ -1,0 +1,131 @@
+// MSFT_lod and the extras of the baked format, as tinygltf values.
+#include "asset/lod_chain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "asset/accessor_layout.h"
+#include "core/check.h"
+#include "core/error.h"
+
+namespace jalousie::asset {
+namespace {
+
+constexpr const char* kExtension = "MSFT_lod";
+constexpr const char* kCoverage = "MSFT_screencoverage";
+constexpr const char* kExtras = "jalousie";
+
+[[noreturn]] void malformed(const std::string& message) {
+  throw Error(ErrorCode::kMalformed, message);
+}
+
+/// Sets one member of extras, which becomes an object if it is none.
+void setMember(tinygltf::Value& extras, const char* key, tinygltf::Value value) {
+  tinygltf::Value::Object object;
+  if (extras.IsObject()) object = extras.Get<tinygltf::Value::Object>();
+  object[key] = std::move(value);
+  extras = tinygltf::Value(std::move(object));
+}
+
+double memberNumber(const tinygltf::Value& object, const char* key) {
+  const tinygltf::Value& value = object.Get(key);
+  if (!value.IsNumber()) malformed(fmt::format("extras.{}.{} is not a number", kExtras, key));
+  const double number = value.GetNumberAsDouble();
+  if (!std::isfinite(number) || number < 0.0) malformed(fmt::format("extras.{}.{} is negative", kExtras, key));
+  return number;
+}
+
+std::uint32_t memberCount(const tinygltf::Value& object, const char* key) {
+  const double number = memberNumber(object, key);
+  if (number != std::floor(number) || number > static_cast<double>(std::numeric_limits<int>::max()))
+    malformed(fmt::format("extras.{}.{} is not a count", kExtras, key));
+  return static_cast<std::uint32_t>(number);
+}
+
+}  // namespace
+
+void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info) {
+  const auto count = [](std::uint32_t value) {
+    JAL_CHECK(value <= static_cast<std::uint32_t>(std::numeric_limits<int>::max()));
+    return tinygltf::Value(static_cast<int>(value));
+  };
+  tinygltf::Value::Object object;
+  object["format"] = tinygltf::Value(kLodFormatVersion);
+  object["lod"] = count(info.lod);
+  object["triangles"] = count(info.triangles);
+  object["vertices"] = count(info.vertices);
+  object["errorObject"] = tinygltf::Value(info.errorObject);
+  setMember(mesh.extras, kExtras, tinygltf::Value(std::move(object)));
+}
+
+std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh) {
+  if (!mesh.extras.IsObject() || !mesh.extras.Has(kExtras)) return std::nullopt;
+  const tinygltf::Value& object = mesh.extras.Get(kExtras);
+  if (!object.IsObject()) malformed("extras.jalousie is not an object");
+  const std::uint32_t format = memberCount(object, "format");
+  if (format != static_cast<std::uint32_t>(kLodFormatVersion))
+    malformed(fmt::format("extras.jalousie.format is {}, known is {}", format, kLodFormatVersion));
+  LodInfo info;
+  info.lod = memberCount(object, "lod");
+  info.triangles = memberCount(object, "triangles");
+  info.vertices = memberCount(object, "vertices");
+  info.errorObject = memberNumber(object, "errorObject");
+  return info;
+}
+
+void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage) {
+  JAL_CHECK(static_cast<std::size_t>(node) < model.nodes.size());
+  JAL_CHECK(coverage.size() == lowerNodes.size() + 1);
+  tinygltf::Node& target = model.nodes[static_cast<std::size_t>(node)];
+  tinygltf::Value::Array ids;
+  for (const int lower : lowerNodes)
+    ids.emplace_back(lower);
+  tinygltf::Value::Array levels;
+  for (const float level : coverage)
+    levels.emplace_back(static_cast<double>(level));
+  if (!ids.empty()) {  // the extension requires at least one id
+    target.extensions[kExtension] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(std::move(ids))}});
+    setMember(target.extras, kCoverage, tinygltf::Value(std::move(levels)));
+    std::vector<std::string>& used = model.extensionsUsed;
+    if (std::find(used.begin(), used.end(), kExtension) == used.end()) used.emplace_back(kExtension);
+  }
+}
+
+std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
+  detail::requireIndex(node, model.nodes.size(), "node");
+  const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
+  const auto found = extensions.find(kExtension);
+  if (found == extensions.end()) return {};
+  if (!found->second.IsObject() || !found->second.Get("ids").IsArray())
+    malformed(fmt::format("node {}: MSFT_lod has no list of ids", node));
+
+  std::vector<int> nodes;
+  for (const tinygltf::Value& id : found->second.Get("ids").Get<tinygltf::Value::Array>()) {
+    if (!id.IsInt()) malformed(fmt::format("node {}: MSFT_lod id is not an integer", node));
+    const int lower = id.Get<int>();
+    detail::requireIndex(lower, model.nodes.size(), fmt::format("node {}: MSFT_lod node", node));
+    if (model.nodes[static_cast<std::size_t>(lower)].mesh < 0)
+      malformed(fmt::format("node {}: MSFT_lod node {} has no mesh", node, lower));
+    nodes.push_back(lower);
+  }
+  std::vector<int> sorted = nodes;
+  sorted.push_back(node);
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    malformed(fmt::format("node {}: MSFT_lod names a node twice", node));
+  return nodes;
+}
+
+std::vector<float> lodCoverage(const tinygltf::Node& node) {
+  if (!node.extras.IsObject() || !node.extras.Get(kCoverage).IsArray()) return {};
+  std::vector<float> levels;
+  for (const tinygltf::Value& value : node.extras.Get(kCoverage).Get<tinygltf::Value::Array>())
+    levels.push_back(value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : 0.0F);
+  return levels;
+}
+
+}  // namespace jalousie::asset

@@ -1,0 +1,19 @@
+// Roots and transforms of a glTF document's nodes.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace jalousie::asset {
+
+/// parentFromNode: the node's matrix, or its translation * rotation * scale. In double precision, because products
+/// along a deep hierarchy are rounded to float only once. Errors: kMalformed (a rotation without direction).
+glm::dmat4 localTransform(const tinygltf::Node& node);
+
+/// Roots of the scene to show: of the default scene, else of scene 0; in a document without scenes all nodes that are
+/// neither a child nor a level of an MSFT_lod chain. Errors: as lodNodes.
+std::vector<int> sceneRoots(const tinygltf::Model& model);
+
+}  // namespace jalousie::asset

@@ -1,0 +1,219 @@
+// Flattening of a glTF document: one pass over the node hierarchy, meshes and chains made where they are first used.
+#include "asset/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "asset/image_io.h"
+#include "asset/instancing.h"
+#include "asset/lod_chain.h"
+#include "asset/node_graph.h"
+#include "asset/scene_camera.h"
+#include "asset/scene_mesh.h"
+#include "core/error.h"
+
+namespace jalousie::asset {
+namespace {
+
+using tinygltf::Model;
+
+AlphaMode alphaMode(const std::string& name) {
+  if (name == "MASK") return AlphaMode::kMask;
+  if (name == "BLEND") return AlphaMode::kBlend;
+  return AlphaMode::kOpaque;
+}
+
+bool finite(const glm::mat4& matrix) {
+  for (int i = 0; i < 16; ++i) {
+    if (!std::isfinite(matrix[i / 4][i % 4])) return false;
+  }
+  return true;
+}
+
+/// A node still to be visited.
+struct Visit {
+  int node;
+  glm::dmat4 worldFromParent;
+};
+
+class SceneReader {
+ public:
+  SceneReader(const Model& model, const Limits& limits, const std::filesystem::path& file)
+      : model_(model), limits_(limits), file_(file), budget_{limits.maxAccessorElements} {}
+
+  SceneFile read() {
+    readMaterials();
+    std::vector<Visit> stack;
+    const std::vector<int> roots = sceneRoots(model_);
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+      stack.push_back({*root, glm::dmat4(1.0)});
+    while (!stack.empty()) {
+      const Visit visit = stack.back();
+      stack.pop_back();
+      const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
+      const glm::dmat4 worldFromNode = visit.worldFromParent * localTransform(node);
+      readNode(visit, worldFromNode);
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        stack.push_back({*child, worldFromNode});
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  void readMaterials() {
+    for (const tinygltf::Material& source : model_.materials) {
+      Material material;
+      material.name = source.name;
+      const std::vector<double>& factor = source.pbrMetallicRoughness.baseColorFactor;
+      for (int i = 0; i < 4 && factor.size() == 4; ++i)
+        material.baseColor[i] = static_cast<float>(factor[static_cast<std::size_t>(i)]);
+      material.image = baseColorImage(source.pbrMetallicRoughness.baseColorTexture);
+      material.alphaMode = alphaMode(source.alphaMode);
+      material.alphaCutoff = static_cast<float>(source.alphaCutoff);
+      material.doubleSided = source.doubleSided;
+      scene_.materials.push_back(std::move(material));
+    }
+    scene_.materials.emplace_back();
+    scene_.materials.back().name = "default";
+  }
+
+  /// Decodes an image at its first use.
+  std::optional<std::uint32_t> baseColorImage(const tinygltf::TextureInfo& texture) {
+    if (texture.index < 0 || texture.texCoord != 0) return std::nullopt;
+    const int source = model_.textures[static_cast<std::size_t>(texture.index)].source;
+    if (source < 0) return std::nullopt;
+    const auto known = imageIndex_.find(source);
+    if (known != imageIndex_.end()) return known->second;
+
+    const tinygltf::Image& image = model_.images[static_cast<std::size_t>(source)];
+    const std::string label = image.uri.empty() ? fmt::format("image {}", source) : image.uri;
+    const auto bytes = std::as_bytes(std::span(image.image));
+    ImageRgba8 decoded = decodeImage(bytes, limits_.maxImageSide, file_ / label);
+    takePixels(decoded);
+    const auto index = static_cast<std::uint32_t>(scene_.images.size());
+    scene_.images.push_back(std::move(decoded));
+    imageIndex_.emplace(source, index);
+    return index;
+  }
+
+  void takePixels(const ImageRgba8& image) {
+    pixelBytes_ += image.pixels.size();
+    if (pixelBytes_ > limits_.maxFileBytes) throw Error(ErrorCode::kLimit, "the images are too large together");
+  }
+
+  void readNode(const Visit& visit, const glm::dmat4& worldFromNode) {
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
+    if (!finite(glm::mat4(worldFromNode)))
+      throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
+    if (node.camera >= 0) {
+      auto camera = detail::readCamera(model_, visit.node, visit.worldFromParent, worldFromNode, limits_);
+      if (camera) scene_.cameras.push_back(std::move(*camera));
+    }
+    if (node.mesh < 0) return;
+    const std::optional<std::uint32_t> chain = chainOf(visit.node);
+    if (chain) addInstances(visit.node, *chain, worldFromNode);
+  }
+
+  /// Index of the node's chain, made if new; nullopt if LOD 0 has no triangles.
+  std::optional<std::uint32_t> chainOf(int node) {
+    const std::vector<int> lowerNodes = lodNodes(model_, node);
+    std::vector<int> key = {model_.nodes[static_cast<std::size_t>(node)].mesh};
+    for (const int lower : lowerNodes)
+      key.push_back(model_.nodes[static_cast<std::size_t>(lower)].mesh);
+    const auto known = chainIndex_.find(key);
+    if (known != chainIndex_.end()) return known->second;
+
+    std::optional<std::uint32_t> index;
+    Chain chain = makeChain(key);
+    if (!chain.levels.empty()) {
+      chain.name = chainName(node);
+      index = static_cast<std::uint32_t>(scene_.chains.size());
+      scene_.chains.push_back(std::move(chain));
+    }
+    chainIndex_.emplace(std::move(key), index);
+    return index;
+  }
+
+  std::string chainName(int node) const {
+    const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
+    return source.name.empty() ? model_.meshes[static_cast<std::size_t>(source.mesh)].name : source.name;
+  }
+
+  /// A chain ends at its first level without triangles.
+  Chain makeChain(const std::vector<int>& meshes) {
+    Chain chain;
+    for (const int mesh : meshes) {
+      const std::optional<std::uint32_t> index = meshIndex(mesh);
+      if (!index) break;
+      LodLevel level{*index, 0.0F};
+      if (!chain.levels.empty()) {
+        const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(mesh)]);
+        if (info) level.errorObject = static_cast<float>(info->errorObject);
+      }
+      chain.levels.push_back(level);
+    }
+    return chain;
+  }
+
+  std::optional<std::uint32_t> meshIndex(int mesh) {
+    const auto known = meshIndex_.find(mesh);
+    if (known != meshIndex_.end()) return known->second;
+    const auto defaultMaterial = static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    Mesh read = detail::readMesh(model_, mesh, defaultMaterial, budget_, scene_.skippedPrimitives);
+    std::optional<std::uint32_t> index;
+    if (!read.primitives.empty()) {
+      index = static_cast<std::uint32_t>(scene_.meshes.size());
+      scene_.meshes.push_back(std::move(read));
+    }
+    meshIndex_.emplace(mesh, index);
+    return index;
+  }
+
+  void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
+    const Instances instances = readInstances(model_, node, limits_);
+    const std::size_t added = instances.translations.empty() ? 1 : instances.translations.size();
+    if (added > limits_.maxInstances - scene_.instances.size())
+      throw Error(ErrorCode::kLimit, fmt::format("more than {} instances", limits_.maxInstances));
+    if (instances.translations.empty()) scene_.instances.push_back({chain, glm::mat4(worldFromNode)});
+    for (std::size_t i = 0; i < instances.translations.size(); ++i) {
+      const glm::dmat4 nodeFromInstance = glm::translate(glm::dmat4(1.0), glm::dvec3(instances.translations[i])) *
+                                          glm::mat4_cast(glm::dquat(instances.rotations[i])) *
+                                          glm::scale(glm::dmat4(1.0), glm::dvec3(instances.scales[i]));
+      scene_.instances.push_back({chain, glm::mat4(worldFromNode * nodeFromInstance)});
+      if (!finite(scene_.instances.back().worldFromObject))
+        throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
+    }
+  }
+
+  const Model& model_;
+  const Limits& limits_;
+  const std::filesystem::path& file_;
+  detail::ElementBudget budget_;
+  std::uint64_t pixelBytes_ = 0;
+  SceneFile scene_;
+  std::map<int, std::uint32_t> imageIndex_;
+  std::map<int, std::optional<std::uint32_t>> meshIndex_;
+  std::map<std::vector<int>, std::optional<std::uint32_t>> chainIndex_;
+};
+
+}  // namespace
+
+SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits) {
+  const Model model = loadGltf(path, limits);
+  try {
+    return SceneReader(model, limits, path).read();
+  } catch (const Error& error) {
+    if (!error.file().empty()) throw;
+    throw Error(error.code(), error.what(), path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kLimit, "out of memory", path);
+  }
+}
+
+}  // namespace jalousie::asset

@@ -1,0 +1,105 @@
+// The LOD chain and its extras, in memory and through a file.
+#include "asset/lod_chain.h"
+
+#include <algorithm>
+
+#include "asset/asset_fixtures.h"
+
+namespace jalousie::asset {
+namespace {
+
+using test::addNode;
+using test::addTriangle;
+using test::codeOf;
+
+/// Three levels; node 0 is LOD 0.
+tinygltf::Model chainModel() {
+  tinygltf::Model model;
+  for (std::uint32_t lod = 0; lod < 3; ++lod) {
+    const int mesh = addTriangle(model, glm::vec3(static_cast<float>(lod)));
+    setLodInfo(model.meshes[static_cast<std::size_t>(mesh)], {lod, 100U >> lod, 60U >> lod, 0.125 * lod});
+    addNode(model, mesh, "level");
+  }
+  setLodChain(model, 0, std::vector<int>{1, 2}, std::vector<float>{0.5F, 0.25F, 0.0F});
+  test::setScene(model, {0});
+  return model;
+}
+
+TEST(LodChain, SurvivesAFile) {
+  const test::TempFolder folder;
+  saveGlb(chainModel(), folder / "chain.glb");
+  const tinygltf::Model model = loadGltf(folder / "chain.glb");
+  EXPECT_EQ(lodNodes(model, 0), (std::vector<int>{1, 2}));
+  EXPECT_TRUE(lodNodes(model, 1).empty());
+  EXPECT_EQ(lodCoverage(model.nodes[0]), (std::vector<float>{0.5F, 0.25F, 0.0F}));
+  EXPECT_EQ(model.extensionsUsed, std::vector<std::string>{"MSFT_lod"});
+  const auto info = lodInfo(model.meshes[2]);
+  ASSERT_TRUE(info.has_value());
+  EXPECT_EQ(info->lod, 2U);
+  EXPECT_EQ(info->triangles, 25U);
+  EXPECT_EQ(info->vertices, 15U);
+  EXPECT_DOUBLE_EQ(info->errorObject, 0.25);
+}
+
+TEST(LodChain, InfoKeepsOtherExtras) {
+  tinygltf::Mesh mesh;
+  mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"author", tinygltf::Value(std::string("someone"))}});
+  setLodInfo(mesh, {1, 2, 3, 4.0});
+  EXPECT_EQ(mesh.extras.Get("author").Get<std::string>(), "someone");
+  EXPECT_TRUE(lodInfo(mesh).has_value());
+}
+
+TEST(LodChain, AbsentInfoIsNoError) {
+  EXPECT_FALSE(lodInfo(tinygltf::Mesh()).has_value());
+  EXPECT_TRUE(lodCoverage(tinygltf::Node()).empty());
+}
+
+TEST(LodChain, BrokenInfoIsMalformed) {
+  using Value = tinygltf::Value;
+  const auto code = [](const char* key, Value value) {
+    tinygltf::Mesh mesh;
+    setLodInfo(mesh, {1, 2, 3, 4.0});
+    auto extras = mesh.extras.Get<Value::Object>();
+    auto own = extras["jalousie"].Get<Value::Object>();
+    own[key] = std::move(value);
+    extras["jalousie"] = Value(own);
+    mesh.extras = Value(extras);
+    return codeOf([&] { lodInfo(mesh); });
+  };
+  EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("triangles", Value(-1)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("vertices", Value(1.5)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("lod", Value(std::string("0"))), ErrorCode::kMalformed);
+  EXPECT_EQ(code("errorObject", Value(-0.5)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("lod", Value(1)), std::nullopt);
+}
+
+TEST(LodChain, IdsOutsideTwiceOrWithoutMeshAreMalformed) {
+  const auto code = [](std::vector<int> ids) {
+    tinygltf::Model model = chainModel();
+    addNode(model, -1, "no mesh");
+    tinygltf::Value::Array array;
+    for (const int id : ids)
+      array.emplace_back(id);
+    model.nodes[0].extensions["MSFT_lod"] =
+        tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(std::move(array))}});
+    return codeOf([&] { lodNodes(model, 0); });
+  };
+  EXPECT_EQ(code({1, 2}), std::nullopt);
+  EXPECT_EQ(code({1, 4}), ErrorCode::kMalformed);
+  EXPECT_EQ(code({1, -1}), ErrorCode::kMalformed);
+  EXPECT_EQ(code({1, 1}), ErrorCode::kMalformed);
+  EXPECT_EQ(code({0}), ErrorCode::kMalformed);
+  EXPECT_EQ(code({3}), ErrorCode::kMalformed);
+}
+
+TEST(LodChain, OneLevelNeedsNoExtension) {
+  tinygltf::Model model;
+  addNode(model, addTriangle(model));
+  setLodChain(model, 0, {}, std::vector<float>{0.0F});
+  EXPECT_TRUE(model.extensionsUsed.empty());
+  EXPECT_TRUE(lodNodes(model, 0).empty());
+}
+
+}  // namespace
+}  // namespace jalousie::asset

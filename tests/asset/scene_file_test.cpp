@@ -1,0 +1,275 @@
+// Flattening: chains, instances, geometry conversion, materials, cameras and their tracks.
+#include "asset/scene_file.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "asset/asset_fixtures.h"
+#include "asset/image_io.h"
+#include "asset/instancing.h"
+#include "asset/lod_chain.h"
+
+namespace jalousie::asset {
+namespace {
+
+using test::addNode;
+using test::addTriangle;
+
+SceneFile flatten(const tinygltf::Model& model) {
+  const test::TempFolder folder;
+  saveGlb(model, folder / "scene.glb");
+  return readSceneFile(folder / "scene.glb");
+}
+
+/// Replaces the first mesh's primitive by positions alone, in the given mode.
+void setPositions(tinygltf::Model& model, int mode, const std::vector<glm::vec3>& positions) {
+  tinygltf::Primitive& primitive = model.meshes[0].primitives[0];
+  primitive.attributes = {{"POSITION", appendVec3(model, positions, TINYGLTF_TARGET_ARRAY_BUFFER)}};
+  primitive.indices = -1;
+  primitive.mode = mode;
+}
+
+tinygltf::Model oneTriangle() {
+  tinygltf::Model model;
+  addNode(model, addTriangle(model), "thing");
+  test::setScene(model, {0});
+  return model;
+}
+
+TEST(SceneFile, HierarchyMultipliesTransforms) {
+  tinygltf::Model model = oneTriangle();
+  addNode(model, 0, "child");
+  model.nodes[0].children = {1};
+  model.nodes[0].translation = {10, 0, 0};
+  model.nodes[0].scale = {2, 2, -2};
+  model.nodes[1].translation = {1, 2, 3};
+  const SceneFile scene = flatten(model);
+  ASSERT_EQ(scene.instances.size(), 2U);
+  EXPECT_EQ(scene.chains.size(), 1U) << "nodes with the same mesh share a chain";
+  EXPECT_EQ(glm::vec3(scene.instances[1].worldFromObject[3]), glm::vec3(12, 4, -6));
+  EXPECT_LT(glm::determinant(glm::mat3(scene.instances[0].worldFromObject)), 0.0F) << "a mirror stays in the matrix";
+}
+
+TEST(SceneFile, MatrixNodesAreColumnMajor) {
+  tinygltf::Model model = oneTriangle();
+  model.nodes[0].matrix = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
+  const glm::mat4 world = flatten(model).instances.at(0).worldFromObject;
+  EXPECT_EQ(glm::vec3(world * glm::vec4(1, 0, 0, 1)), glm::vec3(5, 7, 7));
+}
+
+TEST(SceneFile, LevelsAreNoInstances) {
+  for (const bool withScene : {true, false}) {
+    tinygltf::Model model = oneTriangle();
+    for (std::uint32_t lod = 1; lod < 3; ++lod) {
+      const int mesh = addTriangle(model, glm::vec3(0.0F, 0.0F, static_cast<float>(lod)));
+      setLodInfo(model.meshes[static_cast<std::size_t>(mesh)], {lod, 1, 3, 0.5 * lod});
+      addNode(model, mesh);
+    }
+    setLodChain(model, 0, std::vector<int>{1, 2}, std::vector<float>{0.5F, 0.2F, 0.0F});
+    if (!withScene) {
+      model.scenes.clear();
+      model.defaultScene = -1;
+    }
+    const SceneFile scene = flatten(model);
+    EXPECT_EQ(scene.instances.size(), 1U);
+    ASSERT_EQ(scene.chains.size(), 1U);
+    EXPECT_EQ(scene.chains[0].name, "thing");
+    ASSERT_EQ(scene.chains[0].levels.size(), 3U);
+    EXPECT_FLOAT_EQ(scene.chains[0].levels[2].errorObject, 1.0F);
+    EXPECT_EQ(scene.meshes.size(), 3U);
+  }
+}
+
+TEST(SceneFile, InstancingIsExpandedInOrder) {
+  tinygltf::Model model = oneTriangle();
+  Instances instances;
+  instances.translations = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  instances.rotations.assign(3, glm::angleAxis(glm::radians(90.0F), glm::vec3(1, 0, 0)));
+  instances.scales.assign(3, glm::vec3(2.0F));
+  model.nodes[0].extensions["EXT_mesh_gpu_instancing"] = appendInstances(model, instances);
+  model.nodes[0].translation = {0, 100, 0};
+  const SceneFile scene = flatten(model);
+  ASSERT_EQ(scene.instances.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    const glm::mat4& world = scene.instances[static_cast<std::size_t>(i)].worldFromObject;
+    EXPECT_EQ(glm::vec3(world[3]), glm::vec3(i + 1, 100, 0));
+    const glm::vec3 up = glm::mat3(world) * glm::vec3(0, 1, 0);
+    EXPECT_NEAR(up.z, 2.0F, 1e-5F);
+  }
+}
+
+TEST(SceneFile, OtherScenesAreNotRead) {
+  tinygltf::Model model = oneTriangle();
+  addNode(model, 0);
+  tinygltf::Scene second;
+  second.nodes = {1};
+  model.scenes.push_back(second);
+  EXPECT_EQ(flatten(model).instances.size(), 1U);
+}
+
+TEST(SceneFile, MissingNormalsBecomeFlat) {
+  tinygltf::Model model = oneTriangle();
+  setPositions(model, TINYGLTF_MODE_TRIANGLES, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const SceneFile scene = flatten(model);
+  const Primitive& primitive = scene.meshes.at(0).primitives.at(0);
+  EXPECT_EQ(primitive.normals, std::vector<glm::vec3>(3, glm::vec3(1, 0, 0)));
+  EXPECT_EQ(primitive.uvs, std::vector<glm::vec2>(3, glm::vec2(0.0F)));
+  EXPECT_EQ(primitive.colors, std::vector<glm::vec4>(3, glm::vec4(1.0F)));
+  EXPECT_EQ(primitive.material, scene.materials.size() - 1);
+}
+
+TEST(SceneFile, FlatNormalsUnshareVertices) {
+  tinygltf::Model model = oneTriangle();
+  setPositions(model, TINYGLTF_MODE_TRIANGLES, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  model.meshes[0].primitives[0].indices = appendIndices(model, std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+  const Primitive primitive = flatten(model).meshes.at(0).primitives.at(0);
+  ASSERT_EQ(primitive.positions.size(), 6U);
+  EXPECT_EQ(primitive.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_EQ(primitive.normals[5], glm::vec3(1, 0, 0));
+}
+
+TEST(SceneFile, StripsAndFansKeepTheirFacing) {
+  const std::vector<glm::vec3> strip = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}};
+  const std::vector<glm::vec3> fan = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}};
+  tinygltf::Model model = oneTriangle();
+  setPositions(model, TINYGLTF_MODE_TRIANGLE_STRIP, strip);
+  const Primitive stripped = flatten(model).meshes.at(0).primitives.at(0);
+  setPositions(model, TINYGLTF_MODE_TRIANGLE_FAN, fan);
+  const Primitive fanned = flatten(model).meshes.at(0).primitives.at(0);
+  EXPECT_EQ(stripped.indices.size(), 9U);
+  EXPECT_EQ(fanned.indices.size(), 9U);
+  for (const glm::vec3& normal : stripped.normals)
+    EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+  for (const glm::vec3& normal : fanned.normals)
+    EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+}
+
+TEST(SceneFile, PointsAndLinesAreCountedNotDrawn) {
+  tinygltf::Model model = oneTriangle();
+  setPositions(model, TINYGLTF_MODE_LINE, {{0, 0, 0}, {1, 0, 0}});
+  const SceneFile scene = flatten(model);
+  EXPECT_EQ(scene.skippedPrimitives, 1U);
+  EXPECT_TRUE(scene.instances.empty());
+  EXPECT_TRUE(scene.chains.empty());
+}
+
+TEST(SceneFile, AttributesOfDifferentLengthAreMalformed) {
+  tinygltf::Model model = oneTriangle();
+  model.meshes[0].primitives[0].attributes["TEXCOORD_0"] =
+      appendVec2(model, std::vector<glm::vec2>(2), TINYGLTF_TARGET_ARRAY_BUFFER);
+  EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kMalformed);
+}
+
+TEST(SceneFile, MaterialsAndTheirImages) {
+  tinygltf::Model model = oneTriangle();
+  const std::vector<std::byte> png = encodePng({1, 1, {10, 20, 30, 255}});
+  for (int i = 0; i < 2; ++i) {
+    tinygltf::Image image;
+    image.as_is = true;
+    const auto* first = reinterpret_cast<const unsigned char*>(png.data());
+    image.image.assign(first, first + png.size());
+    model.images.push_back(image);
+    tinygltf::Texture texture;
+    texture.source = i;
+    model.textures.push_back(texture);
+  }
+  tinygltf::Material material;
+  material.alphaMode = "MASK";
+  material.alphaCutoff = 0.3;
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorFactor = {0.5, 0.25, 0.125, 0.75};
+  material.pbrMetallicRoughness.baseColorTexture.index = 1;
+  model.materials.push_back(material);
+  model.meshes[0].primitives[0].material = 0;
+  const SceneFile scene = flatten(model);
+  ASSERT_EQ(scene.materials.size(), 2U);
+  EXPECT_EQ(scene.materials[0].baseColor, glm::vec4(0.5F, 0.25F, 0.125F, 0.75F));
+  EXPECT_EQ(scene.materials[0].alphaMode, AlphaMode::kMask);
+  EXPECT_FLOAT_EQ(scene.materials[0].alphaCutoff, 0.3F);
+  EXPECT_TRUE(scene.materials[0].doubleSided);
+  ASSERT_EQ(scene.images.size(), 1U) << "only images that a base colour uses";
+  ASSERT_TRUE(scene.materials[0].image.has_value());
+  EXPECT_EQ(scene.images[*scene.materials[0].image].pixels, (std::vector<std::uint8_t>{10, 20, 30, 255}));
+  EXPECT_FALSE(scene.materials[1].image.has_value());
+}
+
+/// A camera on node 1 below node 0, animated with the given interpolation.
+tinygltf::Model animatedCamera(const std::string& interpolation, const std::vector<glm::vec3>& outputs) {
+  tinygltf::Model model = oneTriangle();
+  tinygltf::Camera camera;
+  camera.type = "perspective";
+  camera.name = "eye";
+  camera.perspective.yfov = 0.9;
+  camera.perspective.znear = 0.2;
+  model.cameras.push_back(camera);
+  addNode(model, -1);
+  model.nodes[1].camera = 0;
+  model.nodes[1].translation = {0, 0, 5};
+  model.nodes[0].children = {1};
+  model.nodes[0].translation = {0, 10, 0};
+  tinygltf::Animation animation;
+  tinygltf::AnimationSampler sampler;
+  sampler.input = appendScalars(model, std::vector<float>{0.0F, 1.0F}, 0);
+  sampler.output = appendVec3(model, outputs, 0);
+  sampler.interpolation = interpolation;
+  animation.samplers.push_back(sampler);
+  tinygltf::AnimationChannel channel;
+  channel.sampler = 0;
+  channel.target_node = 1;
+  channel.target_path = "translation";
+  animation.channels.push_back(channel);
+  model.animations.push_back(animation);
+  return model;
+}
+
+TEST(SceneFile, CameraWithLinearTrack) {
+  const SceneFile scene = flatten(animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}}));
+  ASSERT_EQ(scene.cameras.size(), 1U);
+  const Camera& camera = scene.cameras[0];
+  EXPECT_EQ(camera.name, "eye");
+  EXPECT_FLOAT_EQ(camera.fovY, 0.9F);
+  EXPECT_FLOAT_EQ(camera.zNear, 0.2F);
+  EXPECT_FALSE(camera.zFar.has_value());
+  EXPECT_EQ(glm::vec3(camera.worldFromCamera[3]), glm::vec3(0, 10, 5));
+  EXPECT_EQ(glm::vec3(camera.worldFromParent[3]), glm::vec3(0, 10, 0));
+  EXPECT_EQ(camera.track.translationTimes, (std::vector<float>{0, 1}));
+  EXPECT_EQ(camera.track.translations[1], glm::vec3(4, 5, 6));
+  EXPECT_TRUE(camera.track.rotations.empty());
+}
+
+TEST(SceneFile, StepTrackDoublesItsKeys) {
+  const CameraTrack track = flatten(animatedCamera("STEP", {{1, 2, 3}, {4, 5, 6}})).cameras.at(0).track;
+  EXPECT_EQ(track.translationTimes, (std::vector<float>{0, 1, 1}));
+  EXPECT_EQ(track.translations, (std::vector<glm::vec3>{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}));
+}
+
+TEST(SceneFile, SplineTrackIsReadAtItsKeys) {
+  const std::vector<glm::vec3> outputs = {{9, 9, 9}, {1, 2, 3}, {9, 9, 9}, {9, 9, 9}, {4, 5, 6}, {9, 9, 9}};
+  const CameraTrack track = flatten(animatedCamera("CUBICSPLINE", outputs)).cameras.at(0).track;
+  EXPECT_EQ(track.translations, (std::vector<glm::vec3>{{1, 2, 3}, {4, 5, 6}}));
+}
+
+TEST(SceneFile, BrokenCamerasAndTracksAreMalformed) {
+  const auto code = [](tinygltf::Model model) { return test::codeOf([&] { flatten(model); }); };
+  EXPECT_EQ(code(animatedCamera("LINEAR", {{1, 2, 3}})), ErrorCode::kMalformed);
+  tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
+  model.cameras[0].perspective.yfov = 4.0;
+  EXPECT_EQ(code(model), ErrorCode::kMalformed);
+  model.cameras[0].perspective.yfov = 1.0;
+  model.cameras[0].perspective.zfar = 0.1;
+  EXPECT_EQ(code(model), ErrorCode::kMalformed);
+  model.cameras[0].perspective.zfar = 10.0;
+  EXPECT_EQ(code(model), std::nullopt);
+  model.animations[0].samplers[0].input = appendScalars(model, std::vector<float>{1.0F, 1.0F}, 0);
+  EXPECT_EQ(code(model), ErrorCode::kMalformed);
+}
+
+TEST(SceneFile, EmptyDocumentIsAnEmptyScene) {
+  const test::TempFolder folder;
+  const SceneFile scene = readSceneFile(folder.write("empty.gltf", R"({"asset": {"version": "2.0"}})"));
+  EXPECT_TRUE(scene.instances.empty());
+  EXPECT_EQ(scene.materials.size(), 1U);
+}
+
+}  // namespace
+}  // namespace jalousie::asset
