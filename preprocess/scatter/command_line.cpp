@@ -1,0 +1,188 @@
+// Options, presets and their precedence: what is given explicitly, then the preset, then the defaults.
+#include "scatter/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "asset/gltf_file.h"
+#include "core/error.h"
+
+namespace jalousie::scatter {
+namespace {
+
+/// Side of the thesis' first cube in diagonals of the object's box: 5001 objects (about 17 to a side), 0.6 of a
+/// diagonal apart, so that neighbours touch or overlap slightly. The thesis gives no number, only "relatively small"
+/// and "tightly packed" (4.2.1).
+constexpr float kThesisSideDiagonals = 17.0F * 0.6F;
+/// The second cube is "much larger" (4.2.2): three times the side, 27 times the volume for twice the objects.
+constexpr float kThesisLargeSideDiagonals = 3.0F * kThesisSideDiagonals;
+/// Range of the second scene's random scale, which the thesis leaves open.
+constexpr ScaleRange kThesisScale{0.5F, 1.5F};
+/// Without preset and --side: distance of neighbours in diagonals, so that few objects overlap.
+constexpr double kDefaultSpacing = 1.2;
+
+constexpr const char* kDescription =
+    "Scatters copies of a baked object in a cube: instances, LOD chain, camera path and an "
+    "optional occluder in one GLB.";
+constexpr const char* kFooter = R"(Examples:
+  jalousie-scatter bunny.glb --preset thesis-5001 -o bunnies.glb
+  jalousie-scatter bunny.glb --preset thesis-10001 --seed 7 --json report.json -o sparse.glb
+  jalousie-scatter tree.glb --count 300 --layout cube --side 80 --rotate any --scale 0.5,2 -o trees.glb
+  jalousie-scatter bunny.glb --count 1 --occluder foliage --cover 0.8 -o behind_leaves.glb
+
+Same input and options, same bytes. The first of the objects is in the middle of the cube.
+Every scene has an animated camera, 1800 frames at 30 per second: around the cube (0-899), towards it (900-1199),
+a circle inside (1200-1799); for a single object an arc in front of the occluder, or circles around it.)";
+
+/// The options as written; what is absent comes from the preset or the defaults.
+struct Given {
+  std::string preset;
+  std::optional<std::uint32_t> count;
+  std::optional<float> side;
+  std::optional<std::string> rotate;
+  std::optional<std::string> scale;
+  std::string layout = "cube";
+  std::string occluder;
+  float cover = 0.75F;
+};
+
+[[noreturn]] void usage(const std::string& message) {
+  throw Error(ErrorCode::kUsage, message);
+}
+
+Rotation rotationFor(const std::string& name) {
+  if (name == "x") return Rotation::kX;
+  return name == "any" ? Rotation::kAny : Rotation::kNone;
+}
+
+OccluderKind occluderFor(const std::string& name) {
+  static const std::map<std::string, OccluderKind> kKinds = {{"foliage", OccluderKind::kFoliage},
+                                                             {"grid", OccluderKind::kGrid},
+                                                             {"fence", OccluderKind::kFence},
+                                                             {"plane", OccluderKind::kPlane}};
+  return kKinds.at(name);
+}
+
+float parseFloat(std::string_view text) {
+  float value = 0.0F;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    usage(fmt::format("--scale: \"{}\" is no number", text));
+  return value;
+}
+
+ScaleRange parseScale(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) usage("--scale needs MIN,MAX");
+  const ScaleRange range{parseFloat(text.substr(0, comma)), parseFloat(text.substr(comma + 1))};
+  if (!(range.min > 0.0F) || range.min > range.max) usage("--scale needs 0 < MIN <= MAX");
+  return range;
+}
+
+Layout presetLayout(const std::string& preset) {
+  Layout layout;
+  if (preset == "thesis-5001") {
+    layout.count = 5001;
+    layout.sideDiagonals = kThesisSideDiagonals;
+    layout.rotation = Rotation::kX;
+  } else if (preset == "thesis-10001") {
+    layout.count = 10001;
+    layout.sideDiagonals = kThesisLargeSideDiagonals;
+    layout.rotation = Rotation::kX;
+    layout.scale = kThesisScale;
+  }
+  return layout;
+}
+
+/// Merges preset, explicit options and defaults; checks the ranges.
+Layout resolveLayout(const Given& given, std::uint64_t seed) {
+  if (given.preset.empty() && !given.count) usage("--count or --preset is required");
+  Layout layout = presetLayout(given.preset);
+  layout.seed = seed;
+  if (given.count) layout.count = *given.count;
+  const std::uint64_t most = asset::Limits{}.maxInstances;
+  if (layout.count < 1 || layout.count > most) usage(fmt::format("--count must be 1 to {}", most));
+  if (given.preset.empty())
+    layout.sideDiagonals = static_cast<float>(kDefaultSpacing * std::cbrt(static_cast<double>(layout.count)));
+  if (given.side) {
+    if (!std::isfinite(*given.side) || !(*given.side > 0.0F)) usage("--side must be a positive length");
+    layout.side = given.side;
+  }
+  if (given.rotate) layout.rotation = rotationFor(*given.rotate);
+  if (given.scale) layout.scale = parseScale(*given.scale);
+  return layout;
+}
+
+std::optional<Occluder> resolveOccluder(const Given& given, bool coverGiven) {
+  if (!(given.cover >= 0.0F && given.cover <= 1.0F)) usage("--cover must be 0 to 1");
+  if (given.occluder.empty()) {
+    if (coverGiven) usage("--cover needs --occluder");
+    return std::nullopt;
+  }
+  return Occluder{occluderFor(given.occluder), given.cover};
+}
+
+void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
+  app.add_option("--count", given.count, "Objects, the one in the middle included");
+  app.add_option("--layout", given.layout, "Where the objects go: cube")->check(CLI::IsMember({"cube"}));
+  app.add_option(
+      "--side", given.side,
+      "Side of the cube of the objects' centres, world units [1.2 diagonals of the object per object along a "
+      "side]");
+  app.add_option("--rotate", given.rotate, "Random rotation: x (about the global x axis), any, none [none]")
+      ->check(CLI::IsMember({"x", "any", "none"}));
+  app.add_option("--scale", given.scale, "MIN,MAX of the random scale [1,1]");
+  app.add_option("--seed", seed, "Seed of all random choices [1]");
+  app.add_option("--preset", given.preset,
+                 "thesis-5001 (dense cube) or thesis-10001 (sparse cube, random scale); explicit options override it")
+      ->check(CLI::IsMember({"thesis-5001", "thesis-10001"}));
+}
+
+}  // namespace
+
+std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
+  CLI::App app(kDescription, "jalousie-scatter");
+  app.footer(kFooter);
+  Options options;
+  Given given;
+  std::uint64_t seed = 1;
+  app.add_option("BAKED", options.input,
+                 "glTF or GLB file; the first mesh of its scene is scattered, with its LOD chain")
+      ->required();
+  app.add_option("-o,--output", options.output, "GLB file to write")->required();
+  addLayoutOptions(app, given, seed);
+  app.add_option(
+         "--occluder", given.occluder,
+         "Procedural occluder before the objects as seen from the first frame: foliage, grid (small holes), fence "
+         "(wide slots), plane (one large hole)")
+      ->check(CLI::IsMember({"foliage", "grid", "fence", "plane"}));
+  CLI::Option* cover = app.add_option("--cover", given.cover,
+                                      "Covered share of the occluder's area, 0 to 1; approximate for foliage [0.75]");
+  app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON");
+  app.add_flag("--quiet", options.quiet, "No progress and no summary");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      app.exit(error);
+      return std::nullopt;
+    }
+    std::string reason = error.what();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    usage(reason + " (see --help)");
+  }
+  options.layout = resolveLayout(given, seed);
+  options.occluder = resolveOccluder(given, cover->count() > 0);
+  return options;
+}
+
+}  // namespace jalousie::scatter

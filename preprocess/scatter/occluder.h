@@ -1,0 +1,37 @@
+// Procedural occluders with small or large holes (thesis Fig. 3.1, 4.11, 4.12).
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scatter/camera_path.h"
+#include "scatter/options.h"
+
+namespace jalousie::scatter {
+
+/// Indexed triangles with one normal per vertex.
+struct OccluderMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> indices;
+};
+
+/// Where an occluder stands: a square in the plane z = distance, facing +z, centred on the z axis. World units.
+struct OccluderPlace {
+  float distance;
+  float halfSize;
+};
+
+/// Between the objects and the camera's first position, large enough to stand before all of them from there.
+OccluderPlace placeOccluder(const PathSubject& subject);
+
+/// Makes the geometry around the origin, in the square [-halfSize, halfSize]^2 of the plane z = 0.
+/// `occluder.cover` is the share of that square that is covered as seen from +z; exact except for foliage, whose leaves
+/// fall at random and whose share is at most 0.99.
+OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed);
+
+/// "foliage", "grid", "fence", "plane".
+const char* occluderName(OccluderKind kind);
+
+}  // namespace jalousie::scatter

@@ -1,0 +1,54 @@
+// What jalousie-scatter is asked for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace jalousie::scatter {
+
+enum class Rotation {
+  kNone,  ///< all objects as in the file
+  kX,     ///< random angle about the global x axis (thesis 4.2.1)
+  kAny,   ///< uniform over all rotations
+};
+
+enum class OccluderKind {
+  kFoliage,  ///< many small leaf cards
+  kGrid,     ///< thin bars with many small square holes
+  kFence,    ///< vertical slats with wide slots
+  kPlane,    ///< a wall with one large hole in the middle
+};
+
+/// Range of the uniform scale factor, 0 < min <= max.
+struct ScaleRange {
+  float min = 1.0F;
+  float max = 1.0F;
+};
+
+/// What happens to the objects. Everything is set; see resolveOptions for how presets and defaults get there.
+struct Layout {
+  std::uint32_t count = 1;     ///< objects, the one in the middle included
+  std::optional<float> side;   ///< of the cube that holds the objects' centres, world units
+  float sideDiagonals = 0.0F;  ///< the same in diagonals of the object's box, where `side` is absent
+  Rotation rotation = Rotation::kNone;
+  ScaleRange scale;
+  std::uint64_t seed = 1;
+};
+
+struct Occluder {
+  OccluderKind kind = OccluderKind::kFoliage;
+  float cover = 0.75F;  ///< covered share of its area, 0 to 1
+};
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::filesystem::path report;  ///< JSON; none if empty
+  Layout layout;
+  std::optional<Occluder> occluder;
+  bool quiet = false;
+};
+
+}  // namespace jalousie::scatter

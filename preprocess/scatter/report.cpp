@@ -1,0 +1,63 @@
+// Report of jalousie-scatter.
+#include "scatter/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "scatter/camera_path.h"
+#include "scatter/occluder.h"
+
+namespace jalousie::scatter {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* rotationName(Rotation rotation) {
+  switch (rotation) {
+    case Rotation::kX:
+      return "x";
+    case Rotation::kAny:
+      return "any";
+    case Rotation::kNone:
+      break;
+  }
+  return "none";
+}
+
+ordered_json vectorJson(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace
+
+std::string reportJson(const Options& options, const Summary& summary) {
+  const Layout& layout = options.layout;
+  ordered_json report;
+  report["objects"] = layout.count;
+  report["side"] = summary.side;
+  report["rotate"] = rotationName(layout.rotation);
+  report["scale"] = {layout.scale.min, layout.scale.max};
+  report["seed"] = layout.seed;
+  report["levels"] = summary.levels;
+  report["triangles_per_object"] = summary.trianglesPerObject;
+  report["triangles_full"] = summary.trianglesFull;
+  report["occluder"] = nullptr;
+  if (options.occluder) {
+    report["occluder"] = {{"kind", occluderName(options.occluder->kind)},
+                          {"cover", options.occluder->cover},
+                          {"triangles", summary.occluderTriangles}};
+  }
+  report["bounds"] = {{"min", vectorJson(summary.boundsWorld.min)}, {"max", vectorJson(summary.boundsWorld.max)}};
+  report["camera_frames"] = kFrameCount;
+  return report.dump(2) + "\n";
+}
+
+std::string reportLine(const Options& options, const Summary& summary) {
+  const std::string objects = options.layout.count == 1 ? "1 object"
+                                                        : fmt::format("{} objects in a cube of side {:.4g}",
+                                                                      options.layout.count, summary.side);
+  return fmt::format("{}, {} triangles at LOD 0", objects, summary.trianglesFull);
+}
+
+}  // namespace jalousie::scatter

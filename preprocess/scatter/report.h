@@ -1,0 +1,18 @@
+// The figures of a scattered scene as JSON and as one line.
+#pragma once
+
+#include <string>
+
+#include "scatter/options.h"
+#include "scatter/scatter.h"
+
+namespace jalousie::scatter {
+
+/// Keys: objects, side, rotate, scale, seed, levels, triangles_per_object, triangles_full, occluder (kind, cover,
+/// triangles; null without), bounds (min, max), camera_frames.
+std::string reportJson(const Options& options, const Summary& summary);
+
+/// "5001 objects in a cube of side 13.4, 294058800 triangles at LOD 0".
+std::string reportLine(const Options& options, const Summary& summary);
+
+}  // namespace jalousie::scatter

@@ -1,0 +1,203 @@
+// Composition of the output model: meshes of the chain, instances, occluder, camera and its animation.
+#include "scatter/scatter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "asset/accessor.h"
+#include "asset/instancing.h"
+#include "asset/lod_chain.h"
+#include "core/error.h"
+#include "scatter/camera_path.h"
+#include "scatter/layout.h"
+#include "scatter/occluder.h"
+#include "scatter/source_chain.h"
+
+namespace jalousie::scatter {
+namespace {
+
+using tinygltf::Model;
+
+constexpr const char* kLights = "KHR_lights_punctual";
+/// Planes of the camera, relative to the object's radius and to the farthest thing in sight.
+constexpr float kNearShare = 0.02F;
+constexpr float kFarShare = 1.5F;
+
+/// Everything but nodes and what hangs on them.
+Model withoutNodes(Model&& input) {
+  Model model;
+  model.asset = input.asset;
+  model.asset.generator = "jalousie-scatter";
+  model.buffers = std::move(input.buffers);
+  model.bufferViews = std::move(input.bufferViews);
+  model.accessors = std::move(input.accessors);
+  model.materials = std::move(input.materials);
+  model.textures = std::move(input.textures);
+  model.images = std::move(input.images);
+  model.samplers = std::move(input.samplers);
+  model.extensions = std::move(input.extensions);
+  model.extensions.erase(kLights);
+  model.extensionsUsed = std::move(input.extensionsUsed);
+  std::erase(model.extensionsUsed, kLights);
+  std::erase(model.extensionsUsed, "MSFT_lod");
+  std::erase(model.extensionsUsed, "EXT_mesh_gpu_instancing");
+  model.extensionsRequired = std::move(input.extensionsRequired);
+  return model;
+}
+
+int addNode(Model& model, const std::string& name, int mesh) {
+  tinygltf::Node node;
+  node.name = name;
+  node.mesh = mesh;
+  model.nodes.push_back(std::move(node));
+  return static_cast<int>(model.nodes.size()) - 1;
+}
+
+std::vector<double> numbers(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Adds the chain's nodes; all levels share the instance accessors. @return  the node of LOD 0
+int addObjects(Model& model, std::vector<tinygltf::Mesh> levels, const SourceChain& chain,
+               const asset::Instances& instances) {
+  const tinygltf::Value instancing = asset::appendInstances(model, instances);
+  std::vector<int> nodes;
+  for (std::size_t lod = 0; lod < levels.size(); ++lod) {
+    model.meshes.push_back(std::move(levels[lod]));
+    const std::string name = lod == 0 ? "objects" : fmt::format("objects lod {}", lod);
+    nodes.push_back(addNode(model, name, static_cast<int>(model.meshes.size()) - 1));
+    model.nodes.back().extensions["EXT_mesh_gpu_instancing"] = instancing;
+  }
+  std::vector<float> coverage = chain.coverage;
+  coverage.resize(nodes.size(), 0.0F);
+  asset::setLodChain(model, nodes[0], std::span(nodes).subspan(1), coverage);
+  return nodes[0];
+}
+
+int addOccluderMaterial(Model& model, OccluderKind kind) {
+  tinygltf::Material material;
+  material.name = occluderName(kind);
+  material.doubleSided = true;
+  material.pbrMetallicRoughness.baseColorFactor = kind == OccluderKind::kFoliage
+                                                      ? std::vector<double>{0.1, 0.3, 0.06, 1.0}
+                                                      : std::vector<double>{0.3, 0.25, 0.2, 1.0};
+  material.pbrMetallicRoughness.metallicFactor = 0.0;
+  model.materials.push_back(std::move(material));
+  return static_cast<int>(model.materials.size()) - 1;
+}
+
+/// Adds the occluder's mesh and node; nullopt if nothing is covered.
+std::optional<int> addOccluder(Model& model, const Occluder& occluder, const PathSubject& subject, std::uint64_t seed,
+                               Summary& summary) {
+  const OccluderPlace place = placeOccluder(subject);
+  const OccluderMesh geometry = makeOccluder(occluder, place.halfSize, seed);
+  if (geometry.indices.empty()) return std::nullopt;
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, geometry.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, geometry.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, geometry.indices);
+  primitive.material = addOccluderMaterial(model, occluder.kind);
+  tinygltf::Mesh mesh;
+  mesh.name = occluderName(occluder.kind);
+  mesh.primitives.push_back(std::move(primitive));
+  model.meshes.push_back(std::move(mesh));
+
+  const glm::vec3 position(0.0F, 0.0F, place.distance);
+  const int node = addNode(model, "occluder", static_cast<int>(model.meshes.size()) - 1);
+  model.nodes.back().translation = numbers(position);
+  summary.occluderTriangles = geometry.indices.size() / 3;
+  summary.trianglesFull += summary.occluderTriangles;
+  for (const glm::vec3& p : geometry.positions)
+    summary.boundsWorld.add(p + position);
+  return node;
+}
+
+void addAnimation(Model& model, int node, const CameraPath& path) {
+  tinygltf::Animation animation;
+  animation.name = "walkthrough";
+  const int input = asset::appendScalars(model, path.times, 0);
+  const auto addChannel = [&](const char* target, int output) {
+    tinygltf::AnimationSampler sampler;
+    sampler.input = input;
+    sampler.output = output;
+    sampler.interpolation = "LINEAR";
+    animation.samplers.push_back(std::move(sampler));
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(animation.samplers.size()) - 1;
+    channel.target_node = node;
+    channel.target_path = target;
+    animation.channels.push_back(std::move(channel));
+  };
+  addChannel("translation", asset::appendVec3(model, path.positions, 0));
+  addChannel("rotation", asset::appendQuaternions(model, path.rotations, 0));
+  model.animations.push_back(std::move(animation));
+}
+
+int addCamera(Model& model, const PathSubject& subject, const Aabb& boundsWorld) {
+  const float farthest = outsideDistance(subject) + glm::length(glm::max(glm::abs(boundsWorld.min), boundsWorld.max));
+  tinygltf::Camera camera;
+  camera.type = "perspective";
+  camera.name = "walkthrough";
+  camera.perspective.yfov = static_cast<double>(kFovY);
+  camera.perspective.znear = static_cast<double>(kNearShare * subject.objectRadius);
+  camera.perspective.zfar = static_cast<double>(kFarShare * farthest);
+  model.cameras.push_back(std::move(camera));
+
+  const CameraPath path = makeCameraPath(subject);
+  const int node = addNode(model, "camera", -1);
+  tinygltf::Node& target = model.nodes.back();
+  target.camera = 0;
+  target.translation = numbers(path.positions[0]);
+  const glm::quat& first = path.rotations[0];
+  target.rotation = {first.x, first.y, first.z, first.w};
+  addAnimation(model, node, path);
+  return node;
+}
+
+/// Lengths are squared on the way to the camera, so the square must be finite too.
+void requireRepresentable(const Aabb& box) {
+  if (!std::isfinite(glm::dot(box.min, box.min)) || !std::isfinite(glm::dot(box.max, box.max)))
+    throw Error(ErrorCode::kUsage, "--side or --scale is too large for this object");
+}
+
+}  // namespace
+
+ScatteredScene scatterObjects(Model input, const Options& options, Progress& progress) {
+  const Layout& layout = options.layout;
+  const SourceChain chain = findSourceChain(input);
+  std::vector<tinygltf::Mesh> levels;
+  for (const int mesh : chain.meshes)
+    levels.push_back(input.meshes[static_cast<std::size_t>(mesh)]);
+  const asset::Instances instances = placeObjects(layout, chain, progress);
+
+  ScatteredScene scene;
+  Summary& summary = scene.summary;
+  summary.side = sideOf(layout, chain);
+  summary.levels = static_cast<std::uint32_t>(levels.size());
+  summary.trianglesPerObject = chain.triangles[0];
+  summary.trianglesFull = chain.triangles[0] * layout.count;
+  summary.boundsWorld = boundsOf(instances, chain.boxObject);
+  requireRepresentable(summary.boundsWorld);
+
+  const PathSubject subject{layout.count > 1 ? 0.5F * summary.side : 0.0F, 0.5F * layout.scale.max * chain.diagonal(),
+                            options.occluder.has_value()};
+  Model& model = scene.model;
+  model = withoutNodes(std::move(input));
+  tinygltf::Scene root;
+  root.nodes.push_back(addObjects(model, std::move(levels), chain, instances));
+  if (options.occluder) {
+    const auto node = addOccluder(model, *options.occluder, subject, layout.seed, summary);
+    if (node) root.nodes.push_back(*node);
+  }
+  root.nodes.push_back(addCamera(model, subject, summary.boundsWorld));
+  model.scenes.push_back(std::move(root));
+  model.defaultScene = 0;
+  return scene;
+}
+
+}  // namespace jalousie::scatter

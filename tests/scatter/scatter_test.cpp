@@ -1,0 +1,194 @@
+// The composed scene, read back through the scene reader: instances, chain, camera, occluder, presets.
+#include "scatter/scatter.h"
+
+#include <cmath>
+
+#include "asset/instancing.h"
+#include "asset/scene_file.h"
+#include "scatter/camera_path.h"
+#include "scatter/command_line.h"
+#include "scatter/scatter_fixtures.h"
+
+namespace jalousie::scatter {
+namespace {
+
+Options parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), {"jalousie-scatter", "in.glb", "-o", "out.glb"});
+  return *parseCommandLine(static_cast<int>(arguments.size()), arguments.data());
+}
+
+std::optional<ErrorCode> parseCode(std::vector<const char*> arguments) {
+  return test::codeOf([&] { parse(std::move(arguments)); });
+}
+
+ScatteredScene scatter(const Options& options, tinygltf::Model model = test::bakedBall()) {
+  Progress progress("test", 0, true);
+  return scatterObjects(std::move(model), options, progress);
+}
+
+asset::SceneFile readBack(const ScatteredScene& scene) {
+  const test::TempFolder folder;
+  asset::saveGlb(scene.model, folder / "scene.glb");
+  return asset::readSceneFile(folder / "scene.glb");
+}
+
+TEST(Scatter, SameOptionsSameBytesOtherSeedOtherBytes) {
+  const Options options = parse({"--count", "100", "--rotate", "any", "--occluder", "foliage"});
+  const std::vector<std::byte> first = asset::encodeGlb(scatter(options).model);
+  EXPECT_EQ(asset::encodeGlb(scatter(options).model), first);
+  const Options other = parse({"--count", "100", "--rotate", "any", "--occluder", "foliage", "--seed", "2"});
+  EXPECT_NE(asset::encodeGlb(scatter(other).model), first);
+}
+
+TEST(Scatter, ChainAndMaterialsSurvive) {
+  const ScatteredScene scene = scatter(parse({"--count", "20"}));
+  EXPECT_EQ(scene.summary.levels, 3U);
+  EXPECT_EQ(scene.summary.trianglesPerObject, 128U);
+  EXPECT_EQ(scene.summary.trianglesFull, 20U * 128U);
+  const asset::SceneFile file = readBack(scene);
+  EXPECT_EQ(file.instances.size(), 20U);
+  ASSERT_EQ(file.chains.size(), 1U);
+  ASSERT_EQ(file.chains[0].levels.size(), 3U);
+  EXPECT_FLOAT_EQ(file.chains[0].levels[2].errorObject, 0.2F);
+  std::vector<std::size_t> triangles;
+  for (const asset::LodLevel& level : file.chains[0].levels)
+    triangles.push_back(file.meshes[level.mesh].primitives[0].indices.size() / 3);
+  EXPECT_EQ(triangles, (std::vector<std::size_t>{128, 32, 8}));
+  EXPECT_EQ(file.materials[file.meshes[0].primitives[0].material].name, "clay");
+}
+
+TEST(Scatter, LevelsShareTheInstancesAndTheCoverage) {
+  const tinygltf::Model model = scatter(parse({"--count", "20"})).model;
+  const asset::Instances first = asset::readInstances(model, 0);
+  for (const int node : asset::lodNodes(model, 0))
+    EXPECT_EQ(asset::readInstances(model, node).translations, first.translations);
+  EXPECT_EQ(asset::lodNodes(model, 0).size(), 2U);
+  EXPECT_EQ(asset::lodCoverage(model.nodes[0]), (std::vector<float>{0.5F, 0.1F, 0.0F}));
+}
+
+TEST(Scatter, BoundsHoldEveryVertex) {
+  const ScatteredScene scene =
+      scatter(parse({"--count", "50", "--rotate", "any", "--scale", "0.5,3", "--occluder", "fence"}));
+  const asset::SceneFile file = readBack(scene);
+  Aabb exact;
+  for (const asset::Instance& instance : file.instances) {
+    for (const glm::vec3& p : file.meshes[file.chains[instance.chain].levels[0].mesh].primitives[0].positions)
+      exact.add(glm::vec3(instance.worldFromObject * glm::vec4(p, 1.0F)));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(scene.summary.boundsWorld.min[axis], exact.min[axis] + 1e-3F);
+    EXPECT_GE(scene.summary.boundsWorld.max[axis], exact.max[axis] - 1e-3F);
+  }
+}
+
+TEST(Scatter, CameraIsAnimatedAndHoldsTheSceneBetweenItsPlanes) {
+  const ScatteredScene scene = scatter(parse({"--count", "30"}));
+  ASSERT_EQ(scene.model.animations.size(), 1U);
+  EXPECT_EQ(scene.model.animations[0].name, "walkthrough");
+  const asset::SceneFile file = readBack(scene);
+  ASSERT_EQ(file.cameras.size(), 1U);
+  const asset::Camera& camera = file.cameras[0];
+  EXPECT_NEAR(camera.fovY, glm::radians(45.0F), 1e-6F);
+  EXPECT_GT(camera.zNear, 0.0F);
+  ASSERT_TRUE(camera.zFar.has_value());
+  const float farthest = 0.5F * scene.summary.boundsWorld.diagonal() + glm::length(camera.track.translations[0]);
+  EXPECT_GT(*camera.zFar, farthest);
+  EXPECT_NEAR(camera.track.translationTimes.back() * 30.0F, 1799.0F, 1e-3F);
+  EXPECT_EQ(camera.track.rotations.size(), camera.track.translations.size());
+  EXPECT_LT(glm::distance(glm::vec3(camera.worldFromCamera[3]), camera.track.translations[0]), 1e-4F)
+      << "the rest pose is the first frame";
+}
+
+TEST(Scatter, OccluderIsAnObjectOfItsOwn) {
+  const ScatteredScene scene = scatter(parse({"--count", "1", "--occluder", "grid"}));
+  const asset::SceneFile file = readBack(scene);
+  ASSERT_EQ(file.instances.size(), 2U);
+  ASSERT_EQ(file.chains.size(), 2U);
+  EXPECT_EQ(file.chains[1].name, "occluder");
+  EXPECT_EQ(file.chains[1].levels.size(), 1U);
+  const float z = file.instances[1].worldFromObject[3].z;
+  EXPECT_GT(z, 1.0F);
+  EXPECT_LT(z, file.cameras.at(0).worldFromCamera[3].z);
+  const asset::Material& material = file.materials[file.meshes[file.chains[1].levels[0].mesh].primitives[0].material];
+  EXPECT_TRUE(material.doubleSided);
+  EXPECT_EQ(material.alphaMode, asset::AlphaMode::kOpaque);
+  EXPECT_EQ(scene.summary.trianglesFull, 128U + scene.summary.occluderTriangles);
+}
+
+TEST(Scatter, OccluderDoesNotMoveTheObjects) {
+  const auto translations = [](const ScatteredScene& scene) {
+    return asset::readInstances(scene.model, 0).translations;
+  };
+  EXPECT_EQ(translations(scatter(parse({"--count", "9"}))),
+            translations(scatter(parse({"--count", "9", "--occluder", "foliage"}))));
+}
+
+TEST(Scatter, InputsOwnNodesCamerasAndAnimationsAreLeftOut) {
+  const Options options = parse({"--count", "4"});
+  const ScatteredScene once = scatter(options);
+  const ScatteredScene twice = scatter(options, once.model);
+  EXPECT_EQ(asset::encodeGlb(twice.model), asset::encodeGlb(once.model));
+}
+
+TEST(Scatter, PresetsAreTheThesisScenes) {
+  const Options dense = parse({"--preset", "thesis-5001"});
+  EXPECT_EQ(dense.layout.count, 5001U);
+  EXPECT_EQ(dense.layout.rotation, Rotation::kX);
+  EXPECT_EQ(dense.layout.scale.min, dense.layout.scale.max);
+  const Options sparse = parse({"--preset", "thesis-10001"});
+  EXPECT_EQ(sparse.layout.count, 10001U);
+  EXPECT_LT(sparse.layout.scale.min, sparse.layout.scale.max);
+  EXPECT_GT(sparse.layout.sideDiagonals, 2.0F * dense.layout.sideDiagonals);
+  EXPECT_EQ(readBack(scatter(dense)).instances.size(), 5001U);
+}
+
+TEST(Scatter, ExplicitOptionsOverrideThePreset) {
+  const Options options = parse(
+      {"--preset", "thesis-10001", "--count", "7", "--side", "3", "--rotate", "none", "--scale", "2,2", "--seed", "9"});
+  EXPECT_EQ(options.layout.count, 7U);
+  EXPECT_EQ(options.layout.side, 3.0F);
+  EXPECT_EQ(options.layout.rotation, Rotation::kNone);
+  EXPECT_EQ(options.layout.scale.min, 2.0F);
+  EXPECT_EQ(options.layout.seed, 9U);
+}
+
+TEST(Scatter, ContradictoryOptionsAreUsageErrors) {
+  EXPECT_EQ(parseCode({"--count", "3"}), std::nullopt);
+  for (const std::vector<const char*>& arguments :
+       std::vector<std::vector<const char*>>{{},
+                                             {"--count", "0"},
+                                             {"--count", "-1"},
+                                             {"--count", "x"},
+                                             {"--count", "99999999"},
+                                             {"--count", "4294967297"},
+                                             {"--count", "3", "--side", "0"},
+                                             {"--count", "3", "--side", "-2"},
+                                             {"--count", "3", "--side", "nan"},
+                                             {"--count", "3", "--side", "inf"},
+                                             {"--count", "3", "--scale", "2,1"},
+                                             {"--count", "3", "--scale", "0,1"},
+                                             {"--count", "3", "--scale", "1"},
+                                             {"--count", "3", "--scale", "1,x"},
+                                             {"--count", "3", "--scale", "1,inf"},
+                                             {"--count", "3", "--rotate", "y"},
+                                             {"--count", "3", "--layout", "sphere"},
+                                             {"--preset", "thesis-1"},
+                                             {"--count", "3", "--occluder", "wall"},
+                                             {"--count", "3", "--occluder", "grid", "--cover", "1.5"},
+                                             {"--count", "3", "--cover", "0.5"},
+                                             {"--count", "3", "--unknown"},
+                                             {"--count", "3", "second.glb"}}) {
+    std::string shown;
+    for (const char* argument : arguments)
+      shown += std::string(argument) + " ";
+    EXPECT_EQ(parseCode(arguments), ErrorCode::kUsage) << shown;
+  }
+}
+
+TEST(Scatter, LengthsBeyondFloatAreRefused) {
+  EXPECT_EQ(test::codeOf([] { scatter(parse({"--count", "3", "--side", "3e38"})); }), ErrorCode::kUsage);
+  EXPECT_EQ(test::codeOf([] { scatter(parse({"--count", "3", "--scale", "1,3e38"})); }), ErrorCode::kUsage);
+}
+
+}  // namespace
+}  // namespace jalousie::scatter
