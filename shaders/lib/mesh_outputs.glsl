@@ -16,7 +16,7 @@ vec3 viewTint(uint objectId) {
   if (drawView.view == kViewLv) return heatColor(clamp(0.5 * state.lv + 0.5, 0.0, 1.0));
   uint lodCount = chains[objects[objectId].chain].lodCount;
   float coarseness = drawView.detail == kDetailTessellation
-                         ? float(kMaxTessellationLevel - state.tessellation) / float(kMaxTessellationLevel - 1u)
+                         ? float(drawView.maxTessellation - state.tessellation) / float(max(drawView.maxTessellation, 2u) - 1u)
                          : float(state.lod) / float(max(lodCount, 2u) - 1u);
   return lodColor(state.verdict == kVerdictOccluder, coarseness);
 }

@@ -51,8 +51,8 @@ struct DrawView {
   float phongAlpha;        // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
   uint viewportWidth;
   uint viewportHeight;
+  uint maxTessellation;    // as in CullView; scales the colours of kViewLod
   uint reserved0;
-  uint reserved1;
 };
 JAL_ASSERT_SIZE(DrawView, 128)
 

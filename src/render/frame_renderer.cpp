@@ -91,6 +91,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   drawView_.detail = options.detail;
   drawView_.mapLevel = options.mapLevel < map_.layout().levels ? options.mapLevel : map_.layout().levels - 1;
   drawView_.phongAlpha = scene::kPhongAlpha;
+  drawView_.maxTessellation = cullView_.maxTessellation;
   drawView_.viewportWidth = width_;
   drawView_.viewportHeight = height_;
 }

@@ -80,8 +80,8 @@ const std::map<std::string, Layout>& expectedLayouts() {
          JAL_FIELD("DrawViewBlock.", DrawView, lightWorld), JAL_FIELD("DrawViewBlock.", DrawView, view),
          JAL_FIELD("DrawViewBlock.", DrawView, detail), JAL_FIELD("DrawViewBlock.", DrawView, mapLevel),
          JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha), JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth),
-         JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, reserved0),
-         JAL_FIELD("DrawViewBlock.", DrawView, reserved1)}}},
+         JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, maxTessellation),
+         JAL_FIELD("DrawViewBlock.", DrawView, reserved0)}}},
   };
   return kLayouts;
 }

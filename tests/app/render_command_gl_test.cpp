@@ -1,0 +1,178 @@
+// The jalousie program as its users run it: options, exit codes, files, figures.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "asset/accessor.h"
+#include "asset/gltf_file.h"
+#include "asset/image_io.h"
+#include "support/gl_test.h"
+#include "support/run_program.h"
+#include "support/scenes.h"
+
+namespace jalousie {
+namespace {
+
+using test::ProgramResult;
+
+ProgramResult jalousie(const std::vector<std::string>& arguments) {
+  return test::runProgram(JALOUSIE_PROGRAM, arguments);
+}
+
+/// A GLB of nine spheres, one in front of the others.
+void writeScene(const std::filesystem::path& file) {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  const asset::Primitive mesh = test::sphere(16, 8);
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, mesh.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, mesh.indices);
+  model.meshes.emplace_back();
+  model.meshes[0].primitives.push_back(primitive);
+  model.scenes.emplace_back();
+  model.defaultScene = 0;
+  for (int i = 0; i < 9; ++i) {
+    tinygltf::Node node;
+    node.mesh = 0;
+    node.translation = {1.5 * (i % 3 - 1), 1.5 * (i / 3 - 1), i == 4 ? 3.0 : -3.0};
+    model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
+    model.nodes.push_back(node);
+  }
+  asset::saveGlb(model, file);
+}
+
+class RenderCommand : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    writeScene(scene());
+  }
+  std::string scene() const { return (folder_ / "scene.glb").string(); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(std::ifstream(folder_ / name)); }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RenderCommand, HelpShowsExamplesAndSucceeds) {
+  const ProgramResult help = jalousie({"render", "--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_NE(help.standardOutput.find("Examples"), std::string::npos);
+  for (const char* option :
+       {"--frame", "--eye", "--size", "--mode", "--lod", "--lv", "--detail", "--view", "--json", "--freeze-eye"})
+    EXPECT_NE(help.standardOutput.find(option), std::string::npos) << option;
+  EXPECT_EQ(jalousie({"--version"}).exitCode, 0);
+}
+
+TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
+  const ProgramResult result = jalousie({"render", scene(), "--size", "123x45", "--mode", "frustum", "--json",
+                                         file("stats.json"), "-o", file("frame.png")});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const ImageRgba8 image = asset::loadImage(file("frame.png"));
+  EXPECT_EQ(image.width, 123U);
+  EXPECT_EQ(image.height, 45U);
+  const nlohmann::json stats = json("stats.json");
+  for (const char* key :
+       {"renderer", "width", "height", "mode", "lod", "lv", "detail", "objects", "culled_frustum", "occluders",
+        "culled_occlusion", "drawn", "triangles", "triangles_full", "lod_histogram", "passes", "frame_ms"})
+    EXPECT_TRUE(stats.contains(key)) << key;
+  EXPECT_EQ(stats["objects"], 9);
+  EXPECT_EQ(stats["drawn"], 9);
+  EXPECT_EQ(stats["triangles_full"], 9 * 2 * 16 * 7);
+  EXPECT_EQ(stats["lod"], "finest");
+}
+
+TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
+  const std::vector<std::vector<std::string>> variants = {
+      {"--mode", "full"},
+      {"--mode", "hom", "--lod", "finest"},
+      {"--mode", "hom", "--lod", "linear", "--lv", "thesis", "--view", "lv"},
+      {"--mode", "hom", "--view", "lod", "--detail", "tessellation", "--max-tessellation", "3"},
+      {"--mode", "hom", "--view", "occlusion", "--map-level", "2", "--occluder-distance", "5"},
+      {"--eye", "0,0,9", "--look", "0,0,0", "--freeze-eye", "3,0,9", "--freeze-look", "0,0,0"},
+      {"--repeat", "3", "--cull-threshold", "0.95"},
+  };
+  for (std::vector<std::string> arguments : variants) {
+    arguments.insert(arguments.begin(), {"render", scene(), "--size", "64x64", "-o", file("variant.png")});
+    const ProgramResult result = jalousie(arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.standardError;
+    EXPECT_EQ(asset::loadImage(file("variant.png")).width, 64U);
+  }
+}
+
+TEST_F(RenderCommand, StatsOnlyPrintsPureJson) {
+  const ProgramResult result = jalousie({"render", scene(), "--stats-only", "--json", "-"});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const nlohmann::json stats = nlohmann::json::parse(result.standardOutput);
+  EXPECT_FALSE(stats["passes"].contains("draw"));
+  EXPECT_EQ(stats["mode"], "hom");
+}
+
+TEST_F(RenderCommand, SameCommandSameBytes) {
+  ASSERT_EQ(jalousie({"render", scene(), "-o", file("a.png"), "--size", "200x100"}).exitCode, 0);
+  ASSERT_EQ(jalousie({"render", scene(), "-o", file("b.png"), "--size", "200x100"}).exitCode, 0);
+  const auto bytes = [&](const char* name) {
+    std::ifstream stream(file(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_EQ(bytes("a.png"), bytes("b.png"));
+}
+
+/// Expects one line on stderr that names `mention`, the exit code, and no output file.
+void expectRefused(const ProgramResult& result, int exitCode, const std::string& mention, const std::string& output) {
+  EXPECT_EQ(result.exitCode, exitCode) << result.standardError;
+  EXPECT_EQ(std::count(result.standardError.begin(), result.standardError.end(), '\n'), 1) << result.standardError;
+  EXPECT_NE(result.standardError.find(mention), std::string::npos) << result.standardError;
+  EXPECT_FALSE(std::filesystem::exists(output)) << output;
+}
+
+TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
+  const std::string out = file("never.png");
+  const std::vector<std::vector<std::string>> bad = {
+      {"--mode", "frustum", "--lod", "linear"},
+      {"--mode", "full", "--view", "occlusion"},
+      {"--mode", "frustum", "--occluder-distance", "3"},
+      {"--eye", "0,0,5"},
+      {"--eye", "0,0,5", "--look", "0,0,5"},
+      {"--eye", "0,0", "--look", "0,0,5"},
+      {"--eye", "0,0,nan", "--look", "0,0,5"},
+      {"--freeze-look", "0,0,5"},
+      {"--frame", "3"},
+      {"--frame", "-1"},
+      {"--size", "0x10"},
+      {"--size", "10"},
+      {"--size", "99999x10"},
+      {"--mode", "magic"},
+      {"--map-level", "1"},
+      {"--max-tessellation", "3"},
+      {"--detail", "tessellation", "--max-tessellation", "21"},
+      {"--no-such-option"},
+  };
+  for (std::vector<std::string> arguments : bad) {
+    const std::string shown = arguments[0];
+    arguments.insert(arguments.begin(), {"render", scene(), "-o", out});
+    SCOPED_TRACE(shown);
+    expectRefused(jalousie(arguments), 2, "jalousie: ", out);
+  }
+  expectRefused(jalousie({"render", scene()}), 2, "-o", out);
+  expectRefused(jalousie({}), 2, "jalousie: ", out);
+}
+
+TEST_F(RenderCommand, MissingAndBrokenFilesAreNamedInOneLine) {
+  const std::string out = file("never.png");
+  expectRefused(jalousie({"render", file("no.glb"), "-o", out}), 3, "no.glb", out);
+  std::ofstream(file("broken.glb")) << "no scene at all, just words";
+  expectRefused(jalousie({"render", file("broken.glb"), "-o", out}), 5, "broken.glb", out);
+  expectRefused(jalousie({"render", scene(), "-o", file("no/such/folder/x.png")}), 8, "x.png",
+                file("no/such/folder/x.png"));
+}
+
+}  // namespace
+}  // namespace jalousie
