@@ -1,0 +1,18 @@
+// Removal of triangles that have no area or stand twice.
+#pragma once
+
+#include <cstdint>
+
+#include "bake/combined_mesh.h"
+
+namespace jalousie::bake {
+
+struct CleanCounts {
+  std::uint64_t degenerate = 0;  ///< two corners at one position, or no area
+  std::uint64_t duplicate = 0;   ///< same primitive, positions and winding as an earlier triangle
+};
+
+/// Drops such triangles from mesh.indices, keeping the order of the rest.
+CleanCounts cleanMesh(CombinedMesh& mesh);
+
+}  // namespace jalousie::bake

@@ -1,0 +1,91 @@
+// Picks the reader and builds glTF meshes from triangle lists.
+#include "bake/import.h"
+
+#include <algorithm>
+
+#include "asset/accessor.h"
+#include "bake/obj_reader.h"
+#include "bake/ply_reader.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::bake {
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
+  });
+  return extension;
+}
+
+bool isGltf(const std::string& extension) {
+  return extension == ".gltf" || extension == ".glb";
+}
+
+tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int material) {
+  constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
+  if (mesh.normals.empty()) mesh.normals = smoothNormals(mesh.positions, mesh.indices);
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.material = material;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, mesh.positions, kTarget);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, kTarget);
+  if (!mesh.uvs.empty()) primitive.attributes["TEXCOORD_0"] = asset::appendVec2(model, mesh.uvs, kTarget);
+  if (!mesh.colors.empty()) primitive.attributes["COLOR_0"] = asset::appendVec4(model, mesh.colors, kTarget);
+  primitive.indices = asset::appendIndices(model, mesh.indices);
+  return primitive;
+}
+
+int appendMaterial(tinygltf::Model& model, const ObjPart& part) {
+  if (part.material.empty()) return -1;
+  tinygltf::Material material;
+  material.name = part.material;
+  material.pbrMetallicRoughness.baseColorFactor = {part.baseColor.r, part.baseColor.g, part.baseColor.b,
+                                                   part.baseColor.a};
+  material.pbrMetallicRoughness.metallicFactor = 0.0;
+  if (part.baseColor.a < 1.0F) material.alphaMode = "BLEND";
+  model.materials.push_back(std::move(material));
+  return static_cast<int>(model.materials.size()) - 1;
+}
+
+void appendNode(tinygltf::Model& model, tinygltf::Mesh mesh) {
+  tinygltf::Node node;
+  node.name = mesh.name;
+  node.mesh = static_cast<int>(model.meshes.size());
+  model.meshes.push_back(std::move(mesh));
+  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
+  model.nodes.push_back(std::move(node));
+}
+
+}  // namespace
+
+tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits) {
+  if (files.size() == 1 && isGltf(lowerExtension(files[0]))) return asset::loadGltf(files[0], limits);
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.scenes.emplace_back();
+  model.defaultScene = 0;
+  for (const std::filesystem::path& file : files) {
+    const std::string extension = lowerExtension(file);
+    if (isGltf(extension)) throw Error(ErrorCode::kUsage, "a glTF file is baked alone, not with other inputs", file);
+    if (extension != ".ply" && extension != ".obj")
+      throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
+    const std::vector<std::byte> bytes = readFile(file, limits.maxFileBytes);
+    tinygltf::Mesh mesh;
+    mesh.name = file.stem().string();
+    if (extension == ".ply") {
+      mesh.primitives.push_back(makePrimitive(model, readPly(bytes, file), -1));
+    } else {
+      for (ObjPart& part : readObj(bytes, file)) {
+        const int material = appendMaterial(model, part);
+        mesh.primitives.push_back(makePrimitive(model, std::move(part.mesh), material));
+      }
+    }
+    appendNode(model, std::move(mesh));
+  }
+  return model;
+}
+
+}  // namespace jalousie::bake
