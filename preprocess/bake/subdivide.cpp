@@ -16,6 +16,7 @@ namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;  // the subdivider sums points as normals
 };
 using TopologyMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 

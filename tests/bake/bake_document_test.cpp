@@ -1,0 +1,138 @@
+// Chains inside documents: what is added, what must survive, what is passed through.
+#include "bake/bake_document.h"
+
+#include <gtest/gtest.h>
+
+#include "asset/accessor.h"
+#include "asset/lod_chain.h"
+#include "asset/scene_file.h"
+#include "bake/bake_fixtures.h"
+#include "support/run_program.h"
+
+namespace jalousie::bake {
+namespace {
+
+tinygltf::Primitive primitiveOf(tinygltf::Model& model, const asset::Primitive& mesh, int material) {
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.material = material;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, mesh.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["TEXCOORD_0"] = asset::appendVec2(model, mesh.uvs, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, mesh.indices);
+  return primitive;
+}
+
+/// A hierarchy: a parent that moves, two children that share one mesh of two materials, one child with lines.
+tinygltf::Model document() {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.materials.resize(2);
+  model.materials[0].name = "stone";
+  model.materials[1].name = "moss";
+  model.meshes.resize(2);
+  model.meshes[0].name = "rock";
+  model.meshes[0].primitives = {primitiveOf(model, test::sphere(40, 20), 0),
+                                primitiveOf(model, test::sphere(32, 16), 1)};
+  model.meshes[1].name = "lines";
+  model.meshes[1].primitives = {primitiveOf(model, test::box(glm::vec3(1)), 0)};
+  model.meshes[1].primitives[0].mode = TINYGLTF_MODE_LINE;
+  model.nodes.resize(4);
+  model.nodes[0].name = "parent";
+  model.nodes[0].translation = {1, 2, 3};
+  model.nodes[0].children = {1, 2, 3};
+  for (const int n : {1, 2}) {
+    model.nodes[static_cast<std::size_t>(n)].name = n == 1 ? "left" : "right";
+    model.nodes[static_cast<std::size_t>(n)].mesh = 0;
+    model.nodes[static_cast<std::size_t>(n)].translation = {n == 1 ? -2.0 : 2.0, 0, 0};
+  }
+  model.nodes[3].mesh = 1;
+  model.scenes.resize(1);
+  model.scenes[0].nodes = {0};
+  model.defaultScene = 0;
+  return model;
+}
+
+std::vector<MeshReport> bakeIt(tinygltf::Model& model) {
+  BakeOptions options;
+  options.chain.levels = 5;
+  options.chain.samples = 1000;
+  return bakeDocument(model, options, [](std::size_t, std::size_t) {});
+}
+
+TEST(BakeDocument, SharedMeshIsBakedOnceAndEveryNodeGetsItsChain) {
+  tinygltf::Model model = document();
+  const std::vector<MeshReport> reports = bakeIt(model);
+  ASSERT_EQ(reports.size(), 2U);
+  EXPECT_EQ(reports[0].nodes, 2U);
+  EXPECT_EQ(reports[0].levels.size(), 5U);
+  const std::vector<int> left = asset::lodNodes(model, 1);
+  const std::vector<int> right = asset::lodNodes(model, 2);
+  ASSERT_EQ(left.size(), 4U);
+  ASSERT_EQ(right.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const tinygltf::Node& a = model.nodes[static_cast<std::size_t>(left[k])];
+    const tinygltf::Node& b = model.nodes[static_cast<std::size_t>(right[k])];
+    EXPECT_EQ(a.mesh, b.mesh);
+    EXPECT_EQ(a.translation, model.nodes[1].translation);
+    EXPECT_EQ(b.translation, model.nodes[2].translation);
+    const auto info = asset::lodInfo(model.meshes[static_cast<std::size_t>(a.mesh)]);
+    ASSERT_TRUE(info.has_value());
+    EXPECT_EQ(info->lod, k + 1);
+    EXPECT_EQ(info->triangles, reports[0].levels[k + 1].triangles);
+    EXPECT_EQ(info->vertices, reports[0].levels[k + 1].vertices);
+    EXPECT_EQ(info->errorObject, reports[0].levels[k + 1].errorObject);
+  }
+  EXPECT_EQ(asset::lodCoverage(model.nodes[1]).size(), 5U);
+}
+
+TEST(BakeDocument, MaterialsHierarchyAndNamesSurviveTheRoundTrip) {
+  tinygltf::Model model = document();
+  bakeIt(model);
+  const test::TemporaryFolder folder;
+  asset::saveGlb(model, folder / "baked.glb");
+  const tinygltf::Model read = asset::loadGltf(folder / "baked.glb");
+  EXPECT_EQ(read.scenes[0].nodes, std::vector<int>{0});
+  EXPECT_EQ(read.nodes[0].children, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(read.nodes[1].name, "left");
+  EXPECT_EQ(read.materials[1].name, "moss");
+  const tinygltf::Mesh& rock = read.meshes[static_cast<std::size_t>(read.nodes[1].mesh)];
+  ASSERT_EQ(rock.primitives.size(), 2U);
+  EXPECT_EQ(rock.primitives[1].material, 1);
+  EXPECT_TRUE(rock.primitives[0].attributes.contains("TEXCOORD_0"));
+
+  const asset::SceneFile scene = asset::readSceneFile(folder / "baked.glb");
+  EXPECT_EQ(scene.instances.size(), 2U);
+  ASSERT_EQ(scene.chains.size(), 1U);
+  ASSERT_EQ(scene.chains[0].levels.size(), 5U);
+  for (std::size_t k = 1; k < 5; ++k)
+    EXPECT_GE(scene.chains[0].levels[k].errorObject, scene.chains[0].levels[k - 1].errorObject);
+}
+
+TEST(BakeDocument, WhatCannotBeBakedIsPassedThroughWithTheReason) {
+  tinygltf::Model model = document();
+  const tinygltf::Mesh before = model.meshes[1];
+  const std::vector<MeshReport> reports = bakeIt(model);
+  EXPECT_FALSE(reports[1].passedThrough.empty());
+  EXPECT_TRUE(model.meshes[1] == before);
+  tinygltf::Model again = model;  // a second bake leaves chains alone
+  EXPECT_FALSE(bakeIt(again)[0].passedThrough.empty());
+}
+
+TEST(BakeDocument, SameInputSameBytes) {
+  tinygltf::Model a = document();
+  tinygltf::Model b = document();
+  bakeIt(a);
+  bakeIt(b);
+  EXPECT_EQ(asset::encodeGlb(a), asset::encodeGlb(b));
+}
+
+TEST(BakeDocument, NanPositionsAreRefused) {
+  tinygltf::Model model = document();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(model.buffers[0].data.data(), &nan, sizeof(nan));
+  EXPECT_EQ(test::bakeErrorOf([&] { bakeIt(model); }), ErrorCode::kMalformed);
+}
+
+}  // namespace
+}  // namespace jalousie::bake

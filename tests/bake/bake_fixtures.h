@@ -1,0 +1,78 @@
+// Meshes and files of the bake tests.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/combined_mesh.h"
+#include "core/error.h"
+#include "support/scenes.h"
+
+namespace jalousie::test {
+
+inline std::span<const std::byte> bytesOf(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+/// Code of the Error a call throws; nullopt if it returns.
+template <class Call>
+std::optional<ErrorCode> bakeErrorOf(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
+inline bake::CombinedMesh combined(const asset::Primitive& source) {
+  bake::CombinedMesh mesh;
+  mesh.positions = source.positions;
+  mesh.indices = source.indices;
+  mesh.primitiveOf.assign(source.positions.size(), 0);
+  bake::PrimitiveData data;
+  data.vertexCount = static_cast<std::uint32_t>(source.positions.size());
+  data.attributes = {{"POSITION", 3, {}}, {"NORMAL", 3, {}}};
+  for (std::size_t v = 0; v < source.positions.size(); ++v) {
+    for (int k = 0; k < 3; ++k) {
+      data.attributes[0].values.push_back(source.positions[v][k]);
+      data.attributes[1].values.push_back(source.normals[v][k]);
+    }
+  }
+  mesh.primitives.push_back(std::move(data));
+  return mesh;
+}
+
+/// The same triangles with three vertices of their own each and face normals, as flat-shaded exports have.
+inline asset::Primitive flatShaded(const asset::Primitive& source) {
+  asset::Primitive flat;
+  for (std::size_t t = 0; t < source.indices.size(); t += 3) {
+    const glm::vec3 a = source.positions[source.indices[t]];
+    const glm::vec3 b = source.positions[source.indices[t + 1]];
+    const glm::vec3 c = source.positions[source.indices[t + 2]];
+    for (const glm::vec3& p : {a, b, c}) {
+      flat.indices.push_back(static_cast<std::uint32_t>(flat.positions.size()));
+      flat.positions.push_back(p);
+      flat.normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
+    }
+  }
+  return flat;
+}
+
+/// A sphere as ASCII PLY.
+inline std::string spherePly(std::uint32_t segments, std::uint32_t rings) {
+  const asset::Primitive mesh = sphere(segments, rings);
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                     std::to_string(mesh.indices.size() / 3) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const glm::vec3& p : mesh.positions)
+    text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+    text += "3 " + std::to_string(mesh.indices[t]) + " " + std::to_string(mesh.indices[t + 1]) + " " +
+            std::to_string(mesh.indices[t + 2]) + "\n";
+  return text;
+}
+
+}  // namespace jalousie::test

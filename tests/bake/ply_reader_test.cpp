@@ -1,0 +1,156 @@
+// The PLY reader on every encoding and on files made to break it.
+#include "bake/ply_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+#include "bake/bake_fixtures.h"
+
+namespace jalousie::bake {
+namespace {
+
+using test::bakeErrorOf;
+using test::bytesOf;
+
+TriangleMesh read(const std::string& text) {
+  return readPly(bytesOf(text), "test.ply");
+}
+
+const std::string kHeader =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string kQuad = kHeader + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+
+template <class T>
+void put(std::string& out, T value, bool bigEndian) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (bigEndian) std::reverse(raw, raw + sizeof(T));
+  out.append(raw, sizeof(T));
+}
+
+/// Two triangles with a double, a colour and an element to skip.
+std::string binaryPly(bool bigEndian) {
+  std::string text =
+      std::string("ply\nformat binary_") + (bigEndian ? "big" : "little") +
+      "_endian 1.0\nelement camera 1\nproperty list short float lens\nelement vertex 4\nproperty double x\n"
+      "property float y\nproperty short z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 2\nproperty uchar flags\nproperty list uint ushort vertex_index\nend_header\n";
+  put<std::int16_t>(text, 2, bigEndian);
+  put<float>(text, 1.0F, bigEndian);
+  put<float>(text, 2.0F, bigEndian);
+  for (int v = 0; v < 4; ++v) {
+    put<double>(text, v & 1, bigEndian);
+    put<float>(text, static_cast<float>(v >> 1), bigEndian);
+    put<std::int16_t>(text, -5, bigEndian);
+    for (int c = 0; c < 3; ++c)
+      put<std::uint8_t>(text, 255, bigEndian);
+  }
+  for (const std::array<std::uint16_t, 3> face : {std::array<std::uint16_t, 3>{0, 1, 2}, {1, 3, 2}}) {
+    put<std::uint8_t>(text, 7, bigEndian);
+    put<std::uint32_t>(text, 3, bigEndian);
+    for (const std::uint16_t index : face)
+      put<std::uint16_t>(text, index, bigEndian);
+  }
+  return text;
+}
+
+TEST(PlyReader, AsciiPolygonsBecomeFans) {
+  const TriangleMesh mesh = read(kQuad);
+  EXPECT_EQ(mesh.positions.size(), 4U);
+  EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_TRUE(mesh.normals.empty());
+}
+
+TEST(PlyReader, BothByteOrdersGiveTheSameMesh) {
+  const TriangleMesh little = read(binaryPly(false));
+  const TriangleMesh big = read(binaryPly(true));
+  EXPECT_EQ(little.positions, big.positions);
+  EXPECT_EQ(little.indices, big.indices);
+  EXPECT_EQ(little.positions[3], glm::vec3(1, 1, -5));
+  ASSERT_EQ(little.colors.size(), 4U);
+  EXPECT_EQ(little.colors[0], glm::vec4(1.0F));
+}
+
+TEST(PlyReader, WindowsLineEndsAndAMissingLastOneAreAccepted) {
+  std::string text;
+  for (const char c : kQuad) {
+    if (c == '\n') text += '\r';
+    text += c;
+  }
+  text.resize(text.size() - 2);
+  EXPECT_EQ(read(text).indices.size(), 6U);
+}
+
+TEST(PlyReader, HostileFilesAreRefusedByCode) {
+  struct Case {
+    const char* name;
+    std::string text;
+    ErrorCode code;
+  };
+  const auto header = [](const std::string& from, const std::string& to) {
+    std::string text = kQuad;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  const std::vector<Case> cases = {
+      {"empty", "", ErrorCode::kMalformed},
+      {"wrong magic", "plx\n", ErrorCode::kMalformed},
+      {"header without end", "ply\nformat ascii 1.0\n", ErrorCode::kMalformed},
+      {"no format", header("format ascii 1.0\n", ""), ErrorCode::kMalformed},
+      {"unknown format", header("ascii", "morse"), ErrorCode::kMalformed},
+      {"negative count", header("vertex 4", "vertex -4"), ErrorCode::kMalformed},
+      {"huge count", header("vertex 4", "vertex 99999999999"), ErrorCode::kLimit},
+      {"count larger than the file", header("vertex 4", "vertex 200000000"), ErrorCode::kMalformed},
+      {"count that is no number", header("vertex 4", "vertex four"), ErrorCode::kMalformed},
+      {"property without element", header("element vertex 4\n", ""), ErrorCode::kMalformed},
+      {"unknown type", header("property float x", "property quad x"), ErrorCode::kMalformed},
+      {"no x", header("property float x", "property float a"), ErrorCode::kMalformed},
+      {"x twice", header("property float y", "property float x"), ErrorCode::kMalformed},
+      {"float list count", header("list uchar", "list float"), ErrorCode::kMalformed},
+      {"index out of range", header("4 0 1 2 3", "4 0 1 2 4"), ErrorCode::kMalformed},
+      {"negative index", header("4 0 1 2 3", "4 0 1 2 -1"), ErrorCode::kMalformed},
+      {"fractional index", header("4 0 1 2 3", "4 0 1 2 2.5"), ErrorCode::kMalformed},
+      {"polygon too large", header("4 0 1 2 3", "99999 0 1 2 3"), ErrorCode::kMalformed},
+      {"truncated", kQuad.substr(0, kQuad.size() - 4), ErrorCode::kMalformed},
+      {"not a number", header("1 1 0\n", "1 one 0\n"), ErrorCode::kMalformed},
+      {"NaN", header("1 1 0\n", "1 nan 0\n"), ErrorCode::kMalformed},
+      {"infinite", header("1 1 0\n", "1 inf 0\n"), ErrorCode::kMalformed},
+      {"beyond float", header("1 1 0\n", "1 1e300 0\n"), ErrorCode::kMalformed},
+      {"no faces", header("4 0 1 2 3", "0"), ErrorCode::kMalformed},
+      {"faces without vertices", header("vertex 4", "corner 4"), ErrorCode::kMalformed},
+      {"unknown keyword", header("comment", "command"), ErrorCode::kMalformed},
+  };
+  for (const Case& c : cases)
+    EXPECT_EQ(bakeErrorOf([&] { read(c.text); }), c.code) << c.name;
+}
+
+/// Any damage gives an Error or a mesh that is in range; the sanitizer build watches the rest.
+void expectErrorOrValid(const std::string& text) {
+  try {
+    const TriangleMesh mesh = read(text);
+    for (const std::uint32_t index : mesh.indices)
+      ASSERT_LT(index, mesh.positions.size());
+  } catch (const Error&) {
+  }
+}
+
+TEST(PlyReader, EveryTruncationAndEveryByteFlipIsAnErrorOrAValidMesh) {
+  for (const std::string& file : {kQuad, binaryPly(false), binaryPly(true)}) {
+    for (std::size_t length = 0; length < file.size(); ++length)
+      expectErrorOrValid(file.substr(0, length));
+    for (std::size_t at = 0; at < file.size(); ++at) {
+      for (const int flip : {0x01, 0x10, 0x80, 0xff}) {
+        std::string damaged = file;
+        damaged[at] = static_cast<char>(damaged[at] ^ flip);
+        expectErrorOrValid(damaged);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jalousie::bake

@@ -1,0 +1,93 @@
+// jalousie-bake as its users run it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "asset/scene_file.h"
+#include "bake/bake_fixtures.h"
+#include "support/run_program.h"
+
+namespace jalousie {
+namespace {
+
+using test::ProgramResult;
+
+class BakeProgram : public testing::Test {
+ protected:
+  BakeProgram() { std::ofstream(folder_ / "ball.ply") << test::spherePly(40, 20); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  static ProgramResult bake(std::vector<std::string> arguments) {
+    return test::runProgram(JALOUSIE_BAKE_PROGRAM, arguments);
+  }
+  void expectRefused(const std::vector<std::string>& arguments, int exitCode, const std::string& mention) {
+    const ProgramResult result = bake(arguments);
+    EXPECT_EQ(result.exitCode, exitCode) << result.standardError;
+    EXPECT_EQ(std::count(result.standardError.begin(), result.standardError.end(), '\n'), 1) << result.standardError;
+    EXPECT_NE(result.standardError.find(mention), std::string::npos) << result.standardError;
+    EXPECT_FALSE(std::filesystem::exists(file("out.glb")));
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(BakeProgram, HelpHasExamples) {
+  const ProgramResult help = bake({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_NE(help.standardOutput.find("Examples"), std::string::npos);
+}
+
+TEST_F(BakeProgram, ReportAndFileAgree) {
+  const ProgramResult result =
+      bake({file("ball.ply"), "-o", file("out.glb"), "--levels", "4", "--subdivide", "1", "--json", file("r.json")});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const nlohmann::json report = nlohmann::json::parse(std::ifstream(file("r.json")));
+  const auto& levels = report["meshes"][0]["levels"];
+  ASSERT_EQ(levels.size(), 4U);
+  EXPECT_EQ(levels[0]["triangles"], 2 * 40 * 19 * 4);
+  const asset::SceneFile scene = asset::readSceneFile(file("out.glb"));
+  ASSERT_EQ(scene.chains.size(), 1U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const asset::LodLevel& level = scene.chains[0].levels[k];
+    EXPECT_EQ(scene.meshes[level.mesh].primitives[0].indices.size() / 3, levels[k]["triangles"].get<std::size_t>());
+    EXPECT_FLOAT_EQ(level.errorObject, levels[k]["error_object"].get<float>());
+  }
+}
+
+TEST_F(BakeProgram, SeveralInputsBecomeSeveralNodesInOrder) {
+  std::ofstream(file("quad.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  ASSERT_EQ(bake({file("ball.ply"), file("quad.obj"), "-o", file("out.glb"), "-q"}).exitCode, 0);
+  const tinygltf::Model model = asset::loadGltf(file("out.glb"));
+  ASSERT_EQ(model.scenes[0].nodes.size(), 2U);
+  EXPECT_EQ(model.nodes[0].name, "ball");
+  EXPECT_EQ(model.nodes[1].name, "quad");
+}
+
+TEST_F(BakeProgram, SameBytesEveryTime) {
+  ASSERT_EQ(bake({file("ball.ply"), "-o", file("a.glb")}).exitCode, 0);
+  ASSERT_EQ(bake({file("ball.ply"), "-o", file("b.glb")}).exitCode, 0);
+  const auto text = [&](const char* name) {
+    std::ifstream stream(file(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_EQ(text("a.glb"), text("b.glb"));
+}
+
+TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
+  std::ofstream(file("broken.ply")) << "ply\nformat ascii 1.0\nelement vertex 99\n";
+  std::ofstream(file("notes.txt")) << "hello";
+  expectRefused({file("missing.ply"), "-o", file("out.glb")}, 3, "missing.ply");
+  expectRefused({file(""), "-o", file("out.glb")}, 6, "jalousie-bake: ");
+  expectRefused({file("broken.ply"), "-o", file("out.glb")}, 5, "broken.ply");
+  expectRefused({file("notes.txt"), "-o", file("out.glb")}, 6, "notes.txt");
+  expectRefused({file("ball.ply"), file("broken.ply"), "-o", file("out.glb")}, 5, "broken.ply");
+  expectRefused({file("ball.ply"), "-o", file("no/folder/out.glb")}, 8, "out.glb");
+  expectRefused({file("ball.ply")}, 2, "--output");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--levels", "0"}, 2, "--levels");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--ratio", "0.5", "--coarsest", "9"}, 2, "--ratio");
+}
+
+}  // namespace
+}  // namespace jalousie

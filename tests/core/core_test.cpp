@@ -1,0 +1,123 @@
+// Errors, checks, files, random numbers and boxes.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+#include <set>
+#include <string>
+
+#include "core/aabb.h"
+#include "core/check.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/random.h"
+#include "support/run_program.h"
+
+namespace jalousie {
+namespace {
+
+template <class Call>
+ErrorCode codeOf(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return ErrorCode::kInternal;
+}
+
+std::string textOf(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST(Error, IsOneLineThatNamesTheFile) {
+  const Error error(ErrorCode::kMalformed, "line one\nline two\t!\n", "some/file.ply");
+  EXPECT_STREQ(error.what(), "some/file.ply: line one line two !");
+  EXPECT_EQ(error.exitCode(), 5);
+  EXPECT_EQ(errorName(error.code()), "malformed");
+}
+
+TEST(Check, FailureAbortsAndShowsBothValues) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const int have = 3;
+  EXPECT_DEATH(JAL_CHECK(have < 2), "have < 2  with 3 < 2");
+  JAL_CHECK(have == 3);
+}
+
+TEST(File, WrittenBytesComeBackAndReplaceTheOldOnes) {
+  const test::TemporaryFolder folder;
+  writeFileAtomic(folder / "a", "first");
+  writeFileAtomic(folder / "a", "second");
+  EXPECT_EQ(textOf(readFile(folder / "a", 100)), "second");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
+      << "a temporary file was left behind";
+}
+
+TEST(File, FailedWriteKeepsTheOldContentAndLeavesNothing) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "taken");
+  std::ofstream(folder / "taken" / "inside") << "x";
+  EXPECT_EQ(codeOf([&] { writeFileAtomic(folder / "taken", "text"); }), ErrorCode::kWriteFailed);
+  EXPECT_TRUE(std::filesystem::exists(folder / "taken" / "inside"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+  EXPECT_EQ(codeOf([&] { writeFileAtomic(folder / "no/such/folder/file", "text"); }), ErrorCode::kWriteFailed);
+}
+
+TEST(File, OnlyRegularFilesWithinTheLimitAreRead) {
+  const test::TemporaryFolder folder;
+  writeFileAtomic(folder / "a", "12345");
+  EXPECT_EQ(codeOf([&] { readFile(folder / "a", 4); }), ErrorCode::kLimit);
+  EXPECT_EQ(codeOf([&] { readFile(folder / "missing", 4); }), ErrorCode::kFileNotFound);
+  EXPECT_EQ(codeOf([&] { readFile(folder.path(), 4); }), ErrorCode::kFileUnreadable);
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(codeOf([&] { readFile(folder / "pipe", 4); }), ErrorCode::kFileUnreadable)
+      << "and does not wait for a writer";
+  EXPECT_EQ(codeOf([&] { readFile("/dev/zero", 4); }), ErrorCode::kFileUnreadable);
+}
+
+TEST(Random, SameSeedSameSequence) {
+  Random a(42);
+  Random b(42);
+  Random c(43);
+  int different = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::uint32_t value = a.next();
+    EXPECT_EQ(value, b.next());
+    different += value != c.next() ? 1 : 0;
+  }
+  EXPECT_GT(different, 990);
+}
+
+TEST(Random, UniformStaysInRangeAndCoversIt) {
+  Random random(1);
+  double sum = 0.0;
+  std::set<std::uint32_t> dice;
+  for (int i = 0; i < 100000; ++i) {
+    const float value = random.uniform();
+    ASSERT_GE(value, 0.0F);
+    ASSERT_LT(value, 1.0F);
+    sum += value;
+    dice.insert(random.below(6));
+  }
+  EXPECT_NEAR(sum / 100000, 0.5, 0.005);
+  EXPECT_EQ(dice, (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5}));
+}
+
+TEST(Aabb, GrowsTransformsAndKnowsWhenItIsEmpty) {
+  Aabb box;
+  EXPECT_TRUE(box.empty());
+  EXPECT_EQ(box.diagonal(), 0.0F);
+  box.add(glm::vec3(1, 2, 3));
+  box.add(glm::vec3(-1, 0, 3));
+  EXPECT_FALSE(box.empty());
+  EXPECT_EQ(box.center(), glm::vec3(0, 1, 3));
+  const Aabb moved = transformed(glm::scale(glm::mat4(1.0F), {-2, 1, 1}), box);
+  EXPECT_EQ(moved.min, glm::vec3(-2, 0, 3));
+  EXPECT_EQ(moved.max, glm::vec3(2, 2, 3));
+}
+
+}  // namespace
+}  // namespace jalousie

@@ -1,0 +1,57 @@
+// Rules about the files of the repository itself.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/run_program.h"
+
+namespace jalousie {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kRoot = JALOUSIE_SOURCE_DIR;
+
+bool isGenerated(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name == ".git" || name == "build" || name == "out" || name == "fetched" || name == ".cache";
+}
+
+TEST(Repository, HoldsNoFileOverOneMebibyte) {
+  for (auto it = fs::recursive_directory_iterator(kRoot); it != fs::recursive_directory_iterator(); ++it) {
+    if (isGenerated(it->path())) {
+      it.disable_recursion_pending();
+    } else if (it->is_regular_file()) {
+      EXPECT_LE(it->file_size(), 1U << 20U) << it->path();
+    }
+  }
+}
+
+TEST(Repository, ScriptsAreExecutable) {
+  for (const char* script :
+       {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh", ".ci/run"})
+    EXPECT_NE(fs::status(kRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
+}
+
+TEST(Repository, ScriptsExplainThemselvesAndRefuseUnknownOptions) {
+  for (const char* script : {"scripts/setup", "scripts/demo", "assets/fetch"}) {
+    EXPECT_EQ(test::runProgram(kRoot / script, {"--help"}).exitCode, 0) << script;
+    EXPECT_EQ(test::runProgram(kRoot / script, {"--no-such-option"}).exitCode, 2) << script;
+  }
+  const test::ProgramResult dryRun = test::runProgram(kRoot / "scripts/setup", {"--dry-run"});
+  EXPECT_EQ(dryRun.exitCode, 0);
+  EXPECT_NE(dryRun.standardOutput.find("setup: "), std::string::npos);
+}
+
+TEST(Repository, UnreachableRegistryIsOneClearLine) {
+  const test::TemporaryFolder folder;
+  ::setenv("JALOUSIE_NPM_REGISTRY", "http://127.0.0.1:9", 1);
+  const test::ProgramResult result =
+      test::runProgram(kRoot / "assets/fetch", {"--dest", folder.path().string(), "bunny"});
+  ::unsetenv("JALOUSIE_NPM_REGISTRY");
+  EXPECT_NE(result.exitCode, 0);
+  EXPECT_NE(result.standardError.find("cannot reach the registry"), std::string::npos) << result.standardError;
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace jalousie
