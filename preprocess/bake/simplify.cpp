@@ -15,12 +15,11 @@ namespace {
 /// Any deformation is allowed: the target decides, and the error is measured afterwards.
 constexpr float kAnyError = 1e6F;
 
-std::vector<std::uint32_t> collapse(const CombinedMesh& mesh, const std::vector<std::uint32_t>& indices,
+std::vector<std::uint32_t> collapse(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& indices,
                                     std::uint32_t targetTriangles) {
   std::vector<std::uint32_t> result(indices.size());
-  result.resize(meshopt_simplify(result.data(), indices.data(), indices.size(), &mesh.positions[0].x,
-                                 mesh.positions.size(), sizeof(glm::vec3), std::size_t{3} * targetTriangles,
-                                 kAnyError));
+  result.resize(meshopt_simplify(result.data(), indices.data(), indices.size(), &positions[0].x, positions.size(),
+                                 sizeof(glm::vec3), std::size_t{3} * targetTriangles, kAnyError));
   return result;
 }
 
@@ -47,9 +46,24 @@ glm::vec3 normalOf(const CombinedMesh& mesh, std::uint32_t vertex) {
 std::vector<std::uint32_t> collapseWelded(const CombinedMesh& mesh, const std::vector<std::uint32_t>& indices,
                                           std::uint32_t targetTriangles) {
   const std::vector<std::uint32_t> ids = weldWithinPrimitives(mesh);
-  std::vector<std::uint32_t> welded(indices.size());
-  std::transform(indices.begin(), indices.end(), welded.begin(), [&](std::uint32_t v) { return ids[v]; });
-  std::vector<std::uint32_t> result = collapse(mesh, welded, targetTriangles);
+  // Only the welded vertices may be there: the library takes others at their positions for attribute seams.
+  constexpr std::uint32_t kUnused = ~0U;
+  std::vector<std::uint32_t> compactOf(ids.size(), kUnused);
+  std::vector<std::uint32_t> vertexOf;
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> welded;
+  for (const std::uint32_t v : indices) {
+    std::uint32_t& compact = compactOf[ids[v]];
+    if (compact == kUnused) {
+      compact = static_cast<std::uint32_t>(positions.size());
+      vertexOf.push_back(ids[v]);
+      positions.push_back(mesh.positions[v]);
+    }
+    welded.push_back(compact);
+  }
+  std::vector<std::uint32_t> result = collapse(positions, welded, targetTriangles);
+  for (std::uint32_t& corner : result)
+    corner = vertexOf[corner];
 
   std::map<std::uint32_t, std::set<std::uint32_t>> wedges;
   for (const std::uint32_t v : indices)
@@ -71,7 +85,7 @@ std::vector<std::uint32_t> collapseWelded(const CombinedMesh& mesh, const std::v
 
 std::vector<std::uint32_t> simplifyTriangles(const CombinedMesh& mesh, const std::vector<std::uint32_t>& indices,
                                              std::uint32_t targetTriangles) {
-  std::vector<std::uint32_t> kept = collapse(mesh, indices, targetTriangles);
+  std::vector<std::uint32_t> kept = collapse(mesh.positions, indices, targetTriangles);
   const std::size_t enough = std::size_t{3} * targetTriangles + std::size_t{3} * targetTriangles / 10;
   if (kept.size() <= std::max<std::size_t>(enough, 12)) return kept;
   std::vector<std::uint32_t> welded = collapseWelded(mesh, indices, targetTriangles);

@@ -3,11 +3,11 @@
 vec3 shade(vec3 albedo, vec3 normal, vec3 toEye, vec3 toLight) {
   float key = max(dot(normal, toLight), 0.0);
   float sky = 0.5 + 0.5 * normal.y;
-  vec3 ambient = mix(vec3(0.20, 0.17, 0.15), vec3(0.42, 0.50, 0.62), sky);
+  vec3 ambient = mix(vec3(0.11, 0.09, 0.08), vec3(0.26, 0.32, 0.42), sky);
   vec3 halfway = normalize(toLight + toEye);
   float highlight = 0.12 * pow(max(dot(normal, halfway), 0.0), 32.0) * key;
   float rim = 0.10 * pow(1.0 - max(dot(normal, toEye), 0.0), 3.0) * sky;
-  vec3 light = albedo * (ambient + key * vec3(1.55, 1.46, 1.32)) + highlight + rim * vec3(0.8, 0.9, 1.0);
+  vec3 light = albedo * (ambient + key * vec3(1.05, 0.97, 0.84)) + highlight + rim * vec3(0.8, 0.9, 1.0);
   return vec3(1.0) - exp(-1.15 * light);
 }
 
