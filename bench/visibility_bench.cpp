@@ -1,5 +1,5 @@
-// Cost of deciding, per object: the visibility passes against frustum culling alone, on spheres behind a perforated wall.
-// Pass times on a software renderer are wall times between two glFinish; compare rows of one run only.
+// Cost of deciding, per object: the visibility passes against frustum culling alone, on spheres behind a perforated
+// wall. Pass times on a software renderer are wall times between two glFinish; compare rows of one run only.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -21,7 +21,8 @@ asset::SceneFile manySpheres(std::int64_t count) {
   file.instances.resize(1);
   Random random(7);
   for (std::int64_t i = 1; i < count; ++i)
-    test::addInstance(file, 0, {random.uniform(-4.0F, 4.0F), random.uniform(-3.0F, 3.0F), random.uniform(-20.0F, -2.0F)},
+    test::addInstance(file, 0,
+                      {random.uniform(-4.0F, 4.0F), random.uniform(-3.0F, 3.0F), random.uniform(-20.0F, -2.0F)},
                       glm::vec3(0.1F));
   return file;
 }
@@ -49,15 +50,23 @@ void decide(benchmark::State& state, gpu::uint mode, gpu::uint rule) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-void frustumOnly(benchmark::State& state) { decide(state, gpu::kCullFrustum, gpu::kLodFinest); }
-void occlusionMap(benchmark::State& state) { decide(state, gpu::kCullHom, gpu::kLodFinest); }
-void occlusionMapAndLv(benchmark::State& state) { decide(state, gpu::kCullHom, gpu::kLodLinear); }
+void frustumOnly(benchmark::State& state) {
+  decide(state, gpu::kCullFrustum, gpu::kLodFinest);
+}
+void occlusionMap(benchmark::State& state) {
+  decide(state, gpu::kCullHom, gpu::kLodFinest);
+}
+void occlusionMapAndLv(benchmark::State& state) {
+  decide(state, gpu::kCullHom, gpu::kLodLinear);
+}
 
 void lowCoefficients16x16(benchmark::State& state) {
   Random random(3);
   std::vector<float> values(256);
-  for (float& value : values) value = random.uniform(-0.5F, 0.5F);
-  for (auto _ : state) benchmark::DoNotOptimize(visibility::lowCoefficients({16, 16, values}));
+  for (float& value : values)
+    value = random.uniform(-0.5F, 0.5F);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(visibility::lowCoefficients({16, 16, values}));
 }
 
 BENCHMARK(frustumOnly)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();

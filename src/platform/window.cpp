@@ -44,7 +44,9 @@ Window::~Window() {
   glfwTerminate();
 }
 
-bool Window::shouldClose() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+bool Window::shouldClose() const {
+  return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
 
 void Window::present() {
   glfwSwapBuffers(window_);

@@ -11,11 +11,11 @@ struct GLFWwindow;
 namespace jalousie::platform {
 
 struct WindowOptions {
-  std::uint32_t width = 1280;   ///< screen coordinates
+  std::uint32_t width = 1280;  ///< screen coordinates
   std::uint32_t height = 720;
   std::string title = "jalousie";
   bool visible = true;
-  bool debug = false;           ///< a debug context, whose messages gl::DebugLog collects
+  bool debug = false;  ///< a debug context, whose messages gl::DebugLog collects
 };
 
 /// Opens a window and makes its context current; closes it when destroyed. One at a time, on the main thread.
