@@ -168,7 +168,7 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   CLI::Option* cover = app.add_option("--cover", given.cover,
                                       "Covered share of the occluder's area, 0 to 1; approximate for foliage [0.75]");
   app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON");
-  app.add_flag("--quiet", options.quiet, "No progress and no summary");
+  app.add_flag("-q,--quiet", options.quiet, "No progress and no summary");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
