@@ -31,6 +31,19 @@ void setMember(tinygltf::Value& extras, const char* key, tinygltf::Value value) 
   extras = tinygltf::Value(std::move(object));
 }
 
+tinygltf::Value distanceValue(const DistanceInfo& distance, double diagonal) {
+  const double percent = diagonal > 0.0 ? 100.0 / diagonal : 0.0;
+  return tinygltf::Value(tinygltf::Value::Object{{"max", tinygltf::Value(distance.max)},
+                                                 {"mean", tinygltf::Value(distance.mean)},
+                                                 {"maxPercent", tinygltf::Value(distance.max * percent)},
+                                                 {"meanPercent", tinygltf::Value(distance.mean * percent)}});
+}
+
+tinygltf::Value spreadValue(const SpreadInfo& spread) {
+  return tinygltf::Value(
+      tinygltf::Value::Object{{"mean", tinygltf::Value(spread.mean)}, {"p95", tinygltf::Value(spread.p95)}});
+}
+
 double memberNumber(const tinygltf::Value& object, const char* key) {
   const tinygltf::Value& value = object.Get(key);
   if (!value.IsNumber()) malformed(fmt::format("extras.{}.{} is not a number", kExtras, key));
@@ -46,6 +59,49 @@ std::uint32_t memberCount(const tinygltf::Value& object, const char* key) {
   return static_cast<std::uint32_t>(number);
 }
 
+const tinygltf::Value& memberObject(const tinygltf::Value& object, const char* key) {
+  const tinygltf::Value& value = object.Get(key);
+  if (!value.IsObject()) malformed(fmt::format("extras.{}.{} is not an object", kExtras, key));
+  return value;
+}
+
+DistanceInfo memberDistance(const tinygltf::Value& object, const char* key) {
+  const tinygltf::Value& value = memberObject(object, key);
+  return {memberNumber(value, "max"), memberNumber(value, "mean")};
+}
+
+SpreadInfo memberSpread(const tinygltf::Value& object, const char* key) {
+  const tinygltf::Value& value = memberObject(object, key);
+  return {memberNumber(value, "mean"), memberNumber(value, "p95")};
+}
+
+void putMeasures(tinygltf::Value::Object& object, const LodMeasures& measures) {
+  object["diagonal"] = tinygltf::Value(measures.diagonal);
+  object["toOriginal"] = distanceValue(measures.toOriginal, measures.diagonal);
+  object["fromOriginal"] = distanceValue(measures.fromOriginal, measures.diagonal);
+  object["twoSided"] = distanceValue(measures.twoSided, measures.diagonal);
+  object["normalDegrees"] = spreadValue(measures.normalDegrees);
+  object["uv"] = spreadValue(measures.uv);
+  object["coverage"] = tinygltf::Value(measures.coverage);
+  if (!measures.stop.empty()) object["stop"] = tinygltf::Value(measures.stop);
+}
+
+LodMeasures readMeasures(const tinygltf::Value& object) {
+  LodMeasures measures;
+  measures.diagonal = memberNumber(object, "diagonal");
+  measures.toOriginal = memberDistance(object, "toOriginal");
+  measures.fromOriginal = memberDistance(object, "fromOriginal");
+  measures.twoSided = memberDistance(object, "twoSided");
+  measures.normalDegrees = memberSpread(object, "normalDegrees");
+  measures.uv = memberSpread(object, "uv");
+  measures.coverage = memberNumber(object, "coverage");
+  if (object.Has("stop")) {
+    if (!object.Get("stop").IsString()) malformed("extras.jalousie.stop is not a string");
+    measures.stop = object.Get("stop").Get<std::string>();
+  }
+  return measures;
+}
+
 }  // namespace
 
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info) {
@@ -54,11 +110,12 @@ void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info) {
     return tinygltf::Value(static_cast<int>(value));
   };
   tinygltf::Value::Object object;
-  object["format"] = tinygltf::Value(kLodFormatVersion);
   object["lod"] = count(info.lod);
   object["triangles"] = count(info.triangles);
   object["vertices"] = count(info.vertices);
   object["errorObject"] = tinygltf::Value(info.errorObject);
+  object["format"] = tinygltf::Value(info.measures ? kLodFormatVersion : 1);
+  if (info.measures) putMeasures(object, *info.measures);
   setMember(mesh.extras, kExtras, tinygltf::Value(std::move(object)));
 }
 
@@ -67,13 +124,14 @@ std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh) {
   const tinygltf::Value& object = mesh.extras.Get(kExtras);
   if (!object.IsObject()) malformed("extras.jalousie is not an object");
   const std::uint32_t format = memberCount(object, "format");
-  if (format != static_cast<std::uint32_t>(kLodFormatVersion))
-    malformed(fmt::format("extras.jalousie.format is {}, known is {}", format, kLodFormatVersion));
+  if (format < 1 || format > static_cast<std::uint32_t>(kLodFormatVersion))
+    malformed(fmt::format("extras.jalousie.format is {}, known are 1 to {}", format, kLodFormatVersion));
   LodInfo info;
   info.lod = memberCount(object, "lod");
   info.triangles = memberCount(object, "triangles");
   info.vertices = memberCount(object, "vertices");
   info.errorObject = memberNumber(object, "errorObject");
+  if (format >= 2) info.measures = readMeasures(object);
   return info;
 }
 

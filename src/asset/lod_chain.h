@@ -2,10 +2,14 @@
 //
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
-// On each level's mesh: extras.jalousie = {"format": 1, "lod": k, "triangles": t, "vertices": v, "errorObject": e}
+// On each level's mesh: extras.jalousie = {"format": 2, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
+//                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
+//                      "coverage": c, "stop": "..."}
+//                      D = {"max", "mean", "maxPercent", "meanPercent"}, S = {"mean", "p95"}
 //
 // Version history
 //   1  first
+//   2  everything from "diagonal" on; files of format 1 are still read
 #pragma once
 
 #include <tiny_gltf.h>
@@ -13,18 +17,44 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace jalousie::asset {
 
-inline constexpr int kLodFormatVersion = 1;
+inline constexpr int kLodFormatVersion = 2;
+
+/// Distances from the points of one surface to another, object-space length.
+struct DistanceInfo {
+  double max = 0.0;
+  double mean = 0.0;
+};
+
+/// A deviation of an attribute over the surface.
+struct SpreadInfo {
+  double mean = 0.0;
+  double p95 = 0.0;  ///< 95th percentile by area
+};
+
+/// What the baker measured of one level against LOD 0, over both surfaces.
+struct LodMeasures {
+  double diagonal = 0.0;      ///< of LOD 0's box, object-space length; percentages refer to it
+  DistanceInfo toOriginal;    ///< from the level's points to LOD 0
+  DistanceInfo fromOriginal;  ///< from LOD 0's points to the level
+  DistanceInfo twoSided;      ///< the larger maximum, the mean over the points of both
+  SpreadInfo normalDegrees;   ///< angle between the shading normals of a point and its nearest point
+  SpreadInfo uv;              ///< distance in texture space (TEXCOORD_0), 0 without
+  double coverage = 0.0;      ///< MSFT_screencoverage of this level
+  std::string stop;           ///< last level only: why there is no coarser one
+};
 
 /// What the baker knows of one level.
 struct LodInfo {
-  std::uint32_t lod = 0;        ///< 0 is the finest
+  std::uint32_t lod = 0;  ///< 0 is the finest
   std::uint32_t triangles = 0;
   std::uint32_t vertices = 0;
-  double errorObject = 0.0;     ///< deviation from LOD 0, object-space length, ascending along the chain
+  double errorObject = 0.0;  ///< deviation from LOD 0, object-space length, ascending along the chain
+  std::optional<LodMeasures> measures = std::nullopt;  ///< absent in files of format 1
 };
 
 /// Writes extras.jalousie of a level's mesh, keeping other extras.
@@ -32,12 +62,12 @@ void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
 /// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, unknown format version).
 std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh);
 
-/// Makes node the LOD 0 of a chain. @param lowerNodes  nodes of LOD 1, 2, ...  @param coverage  one per level, LOD 0 first:
-/// the share of the screen's area below which the next level may be shown (MSFT_screencoverage).
-/// Declares MSFT_lod in model.extensionsUsed.
+/// Makes node the LOD 0 of a chain. @param lowerNodes  nodes of LOD 1, 2, ...  @param coverage  one per level, LOD 0
+/// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares
+/// MSFT_lod in model.extensionsUsed.
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage);
-/// Node indices of LOD 1, 2, ...; empty without MSFT_lod. Errors: kMalformed (index out of range, a node twice or itself,
-/// a node without a mesh).
+/// Node indices of LOD 1, 2, ...; empty without MSFT_lod. Errors: kMalformed (index out of range, a node twice or
+/// itself, a node without a mesh).
 std::vector<int> lodNodes(const tinygltf::Model& model, int node);
 /// extras.MSFT_screencoverage; empty if absent.
 std::vector<float> lodCoverage(const tinygltf::Node& node);

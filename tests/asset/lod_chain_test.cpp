@@ -41,6 +41,24 @@ TEST(LodChain, SurvivesAFile) {
   EXPECT_DOUBLE_EQ(info->errorObject, 0.25);
 }
 
+TEST(LodChain, MeasuresSurviveAFile) {
+  LodMeasures measures{10.0, {0.5, 0.25}, {0.75, 0.125}, {0.75, 0.2}, {3.0, 9.0}, {0.01, 0.03}, 0.5, "enough"};
+  tinygltf::Model model = chainModel();
+  setLodInfo(model.meshes[2], {2, 25, 15, 0.75, measures});
+  const test::TempFolder folder;
+  saveGlb(model, folder / "chain.glb");
+  const auto info = lodInfo(loadGltf(folder / "chain.glb").meshes[2]);
+  ASSERT_TRUE(info && info->measures);
+  EXPECT_DOUBLE_EQ(info->measures->diagonal, 10.0);
+  EXPECT_DOUBLE_EQ(info->measures->toOriginal.mean, 0.25);
+  EXPECT_DOUBLE_EQ(info->measures->fromOriginal.max, 0.75);
+  EXPECT_DOUBLE_EQ(info->measures->twoSided.mean, 0.2);
+  EXPECT_DOUBLE_EQ(info->measures->normalDegrees.p95, 9.0);
+  EXPECT_DOUBLE_EQ(info->measures->uv.mean, 0.01);
+  EXPECT_DOUBLE_EQ(info->measures->coverage, 0.5);
+  EXPECT_EQ(info->measures->stop, "enough");
+}
+
 TEST(LodChain, InfoKeepsOtherExtras) {
   tinygltf::Mesh mesh;
   mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"author", tinygltf::Value(std::string("someone"))}});
@@ -66,7 +84,8 @@ TEST(LodChain, BrokenInfoIsMalformed) {
     mesh.extras = Value(extras);
     return codeOf([&] { lodInfo(mesh); });
   };
-  EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(3)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);  // whose measures are missing
   EXPECT_EQ(code("triangles", Value(-1)), ErrorCode::kMalformed);
   EXPECT_EQ(code("vertices", Value(1.5)), ErrorCode::kMalformed);
   EXPECT_EQ(code("lod", Value(std::string("0"))), ErrorCode::kMalformed);
