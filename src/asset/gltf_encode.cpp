@@ -15,6 +15,7 @@
 
 #include "asset/accessor_layout.h"
 #include "asset/gltf_file.h"
+#include "asset/gltf_meshopt.h"
 #include "asset/gltf_resources.h"
 #include "core/check.h"
 #include "core/error.h"
@@ -217,7 +218,7 @@ std::vector<std::byte> assemble(const std::string& text, std::span<const std::by
 
 }  // namespace
 
-std::vector<std::byte> encodeGlb(Model model) {
+std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) {
   for (tinygltf::Image& image : model.images) {
     // Bytes in memory are what counts; an image without them keeps those of its view.
     if (image.image.empty() && image.bufferView >= 0) {
@@ -233,12 +234,13 @@ std::vector<std::byte> encodeGlb(Model model) {
   embedImages(model);
   settleDefaults(model);
 
-  const std::vector<unsigned char> binary =
+  std::vector<unsigned char> binary =
       model.buffers.empty() ? std::vector<unsigned char>{} : std::move(model.buffers[0].data);
   model.buffers.clear();
   json document = modelJson(model);
   mendJson(document);
   if (!binary.empty()) document["buffers"] = json::array({json::object({{"byteLength", binary.size()}})});
+  if (options.compress) detail::encodeMeshoptViews(document, binary);
   return assemble(document.dump(), std::as_bytes(std::span(binary)));
 }
 

@@ -14,6 +14,7 @@
 
 #include "asset/accessor_layout.h"
 #include "asset/gltf_json.h"
+#include "asset/gltf_meshopt.h"
 #include "asset/gltf_resources.h"
 #include "asset/gltf_validate.h"
 #include "core/error.h"
@@ -126,15 +127,23 @@ tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::R
 }
 
 /// Loads all resources and replaces their references in the document by "buffer/I" and "image/I".
-Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader, const Path& file) {
+Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader, const Limits& limits,
+                        const Path& file) {
   Resources resources;
   if (const auto buffers = document.find("buffers"); buffers != document.end()) {
     for (json& buffer : *buffers) {
       const std::size_t index = resources.buffers.size();
-      resources.buffers.push_back(loadBuffer(buffer, index, parts, loader, file));
+      if (detail::isMeshoptFallback(buffer)) {
+        // Views on it get buffers of their own; one that is not compressed would lie outside of these four bytes.
+        buffer["byteLength"] = 4;
+        resources.buffers.emplace_back(4, static_cast<unsigned char>(0));
+      } else {
+        resources.buffers.push_back(loadBuffer(buffer, index, parts, loader, file));
+      }
       buffer["uri"] = fmt::format("buffer/{}", index);
     }
   }
+  detail::decodeMeshoptViews(document, resources.buffers, limits, file);
   if (const auto images = document.find("images"); images != document.end()) {
     for (json& image : *images) {
       const std::size_t index = resources.images.size();
@@ -219,7 +228,7 @@ tinygltf::Model loadChecked(const Path& path, const Limits& limits) {
   const Parts parts = split(bytes, path);
   json document = detail::parseDocument(parts.json, limits, path);
   detail::ResourceLoader loader(path, limits);
-  Resources resources = takeResources(document, parts, loader, path);
+  Resources resources = takeResources(document, parts, loader, limits, path);
   tinygltf::Model model = parseModel(document, resources, path);
   clearPlaceholders(model);
   fillImages(model, resources, loader);
@@ -242,8 +251,8 @@ tinygltf::Model loadGltf(const Path& path, const Limits& limits) {
   }
 }
 
-void saveGlb(const tinygltf::Model& model, const Path& path) {
-  writeFileAtomic(path, encodeGlb(model));
+void saveGlb(const tinygltf::Model& model, const Path& path, const EncodeOptions& options) {
+  writeFileAtomic(path, encodeGlb(model, options));
 }
 
 }  // namespace jalousie::asset

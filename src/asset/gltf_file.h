@@ -1,5 +1,5 @@
-// Loads and saves glTF 2.0 documents: the seam around tinygltf, where its bool and string results become Error and where
-// size, nesting and paths are checked before it sees a byte.
+// Loads and saves glTF 2.0 documents: the seam around tinygltf, where its bool and string results become Error and
+// where size, nesting and paths are checked before it sees a byte.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -13,27 +13,32 @@ namespace jalousie::asset {
 
 /// Limits on what a document may ask for; exceeded ones throw kLimit before anything is allocated.
 struct Limits {
-  std::uint64_t maxFileBytes = 2ULL << 30U;      ///< any single file read, buffers included
-  std::uint32_t maxJsonDepth = 64;               ///< nesting of arrays and objects
-  std::uint64_t maxJsonElements = 20'000'000;    ///< commas in the JSON, a bound on its values
+  std::uint64_t maxFileBytes = 2ULL << 30U;         ///< any single file read, buffers included
+  std::uint32_t maxJsonDepth = 64;                  ///< nesting of arrays and objects
+  std::uint64_t maxJsonElements = 20'000'000;       ///< commas in the JSON, a bound on its values
   std::uint64_t maxAccessorElements = 1ULL << 28U;  ///< elements of one accessor
-  std::uint64_t maxInstances = 1ULL << 24U;      ///< objects after flattening the node hierarchy
-  std::uint32_t maxImageSide = 16384;            ///< pixels
+  std::uint64_t maxInstances = 1ULL << 24U;         ///< objects after flattening the node hierarchy
+  std::uint32_t maxImageSide = 16384;               ///< pixels
 };
 
 /// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG or JPEG bytes of
-/// the file, URI or buffer view, and `image.as_is` is true. External files are opened only inside the document's folder.
-/// The structure is validated: every index that one object holds of another is in range, every buffer view lies in its
-/// buffer, every accessor in its view, the node hierarchy is a forest.
-/// Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required extension), kLimit.
+/// the file, URI or buffer view, and `image.as_is` is true. External files are opened only inside the document's
+/// folder. The structure is validated: every index that one object holds of another is in range, every buffer view lies
+/// in its buffer, every accessor in its view, the node hierarchy is a forest. Views with EXT_meshopt_compression are
+/// decoded, and the extension is gone. Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown
+/// required extension), kLimit.
 tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {});
+
+struct EncodeOptions {
+  bool compress = false;  ///< vertex attributes and triangle indices as EXT_meshopt_compression, then required
+};
 
 /// Serialises a model as one binary glTF (GLB 2.0): one buffer, images embedded through buffer views, only what is
 /// referenced. Same model, same bytes. Buffer views and accessors that nothing refers to are dropped; the order of the
 /// rest is kept.
-std::vector<std::byte> encodeGlb(tinygltf::Model model);
+std::vector<std::byte> encodeGlb(tinygltf::Model model, const EncodeOptions& options = {});
 
 /// encodeGlb and core's writeFileAtomic. Errors: kWriteFailed.
-void saveGlb(const tinygltf::Model& model, const std::filesystem::path& path);
+void saveGlb(const tinygltf::Model& model, const std::filesystem::path& path, const EncodeOptions& options = {});
 
 }  // namespace jalousie::asset

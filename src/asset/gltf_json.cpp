@@ -20,7 +20,7 @@ constexpr std::uint64_t kMaxIndex = std::numeric_limits<int>::max();
 constexpr std::uint64_t kMaxSize = 1ULL << 53U;  // integers a JSON number carries exactly
 
 constexpr std::array kKnownExtensions = {"MSFT_lod", "EXT_mesh_gpu_instancing", "KHR_mesh_quantization",
-                                         "KHR_texture_transform"};
+                                         "KHR_texture_transform", "EXT_meshopt_compression"};
 constexpr std::array kTopLevelArrays = {"accessors", "animations", "buffers", "bufferViews", "cameras",
                                         "images",    "materials",  "meshes",  "nodes",       "samplers",
                                         "scenes",    "skins",      "textures"};

@@ -1,0 +1,30 @@
+// EXT_meshopt_compression, both ways, between a document's JSON and its bytes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "asset/gltf_file.h"
+
+namespace jalousie::asset::detail {
+
+inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
+
+/// Whether a buffer only stands in for compressed data and has no bytes of its own.
+bool isMeshoptFallback(const nlohmann::json& buffer);
+
+/// Decodes every compressed buffer view into a new buffer of its own and takes the extension out of the document, so
+/// that nothing else needs to know of it. @param buffers  bytes by index, appended to Errors: kMalformed (ranges,
+/// strides, modes, filters, data that does not decode), kLimit (all decoded bytes together above limits.maxFileBytes,
+/// checked before allocation), each naming the view.
+void decodeMeshoptViews(nlohmann::json& document, std::vector<std::vector<unsigned char>>& buffers,
+                        const Limits& limits, const std::filesystem::path& file);
+
+/// Compresses vertex attributes and triangle indices of a document with one buffer. Views that would not shrink stay as
+/// they are. The document gets a second buffer without bytes, which describes the decoded layout.
+/// @param binary  the buffer's bytes; replaced. Same input, same bytes.
+void encodeMeshoptViews(nlohmann::json& document, std::vector<unsigned char>& binary);
+
+}  // namespace jalousie::asset::detail
