@@ -6,10 +6,13 @@
 #include <optional>
 
 #include "asset/gltf_file.h"
+#include "asset/gltf_quantize.h"
 #include "bake/bake_document.h"
 #include "bake/command_line.h"
 #include "bake/import.h"
+#include "bake/inspect.h"
 #include "bake/report.h"
+#include "bake/sheet.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/progress.h"
@@ -18,15 +21,37 @@ namespace {
 
 using namespace jalousie;
 
+void writeSheet(const tinygltf::Model& model, const bake::CommandLine& command, const std::string& title) {
+  if (command.sheet.empty()) return;
+  bake::SheetOptions options;
+  options.title = title;
+  writeFileAtomic(command.sheet, bake::sheetHtml(model, options));
+}
+
+void inspect(const bake::CommandLine& command) {
+  const tinygltf::Model model = asset::loadGltf(command.inputs.front(), command.bake.limits);
+  const std::vector<bake::InspectedChain> chains = bake::inspectModel(model);
+  writeSheet(model, command, command.inputs.front().filename().string());
+  if (command.json == "-") {
+    fmt::print("{}", bake::inspectJson(chains));
+  } else if (!command.quiet) {
+    fmt::print("{}", bake::inspectText(chains));
+  }
+}
+
 void run(const bake::CommandLine& command) {
+  if (command.inspect) return inspect(command);
   std::vector<bake::MeshReport> reports;
   {
     Progress progress("baking", 0, command.quiet);
     tinygltf::Model model = bake::importFiles(command.inputs, command.bake.limits);
-    reports = bake::bakeDocument(model, command.bake, [&](std::size_t done, std::size_t total) {
-      progress.update(done, fmt::format("mesh {} of {}", done + 1, total));
-    });
-    asset::saveGlb(model, command.output);
+    reports =
+        bake::bakeDocument(model, command.bake, [&](std::size_t done, std::size_t total, const std::string& what) {
+          progress.update(done, fmt::format("mesh {} of {}, {}", done + 1, total, what));
+        });
+    writeSheet(model, command, command.output.filename().string());
+    if (command.quantize) asset::quantizeModel(model);
+    asset::saveGlb(model, command.output, {command.compress});
   }
   if (command.json == "-") {
     fmt::print("{}", bake::reportJson(reports));

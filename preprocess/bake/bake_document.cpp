@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "asset/lod_chain.h"
+#include "bake/hard_edges.h"
+#include "bake/loose_parts.h"
+#include "bake/mesh_edges.h"
 #include "bake/subdivide.h"
 #include "core/aabb.h"
 #include "core/error.h"
@@ -52,9 +56,62 @@ void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std:
   }
 }
 
-MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector<int>& nodes,
-                    const BakeOptions& options) {
+using MeshProgress = std::function<void(const std::string&)>;
+
+MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
+  MeshFindings findings;
+  findings.cleaned = cleaned;
+  for (const PrimitiveData& primitive : mesh.primitives)
+    findings.repairedValues += primitive.repairedValues;
+  for (const MeshEdge& edge : findEdges(wedges).edges) {
+    findings.nonManifoldEdges += edge.kind == EdgeKind::kNonManifold ? 1U : 0U;
+    findings.openEdges += edge.kind == EdgeKind::kBorder ? 1U : 0U;
+  }
+  findings.looseParts = findLooseParts(wedges).parts.size();
+  return findings;
+}
+
+asset::LodInfo lodInfoOf(const LevelChain& chain, std::size_t k, double diagonal, float coverage) {
+  const ChainLevel& level = chain.levels[k];
+  asset::LodMeasures measures;
+  measures.diagonal = diagonal;
+  measures.toOriginal = level.deviation.toOriginal;
+  measures.fromOriginal = level.deviation.fromOriginal;
+  measures.twoSided = level.deviation.twoSided;
+  measures.normalDegrees = level.deviation.normalDegrees;
+  measures.uv = level.deviation.uv;
+  measures.coverage = coverage;
+  if (k + 1 == chain.levels.size()) measures.stop = chain.stopReason;
+  return {static_cast<std::uint32_t>(k), level.mesh.triangles(), 0, level.errorMax, measures};
+}
+
+/// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const CombinedMesh& mesh,
+                             const LevelChain& chain, MeshReport& report) {
   const tinygltf::Mesh source = model.meshes[index];
+  std::vector<int> levelMeshes;
+  for (std::size_t k = 0; k < chain.levels.size(); ++k) {
+    const WrittenMesh written = appendLevelMesh(model, source, combineWedges(chain.levels[k].mesh, mesh));
+    tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
+    if (k > 0) target.name = fmt::format("{}_lod{}", source.name, k);
+    target.extras = k == 0 ? source.extras : tinygltf::Value();
+    if (k == 0) target.extensions = source.extensions;
+    report.levels[k].vertices = written.vertices;
+    asset::setLodInfo(target, report.levels[k]);
+    levelMeshes.push_back(written.mesh);
+  }
+  // Every reference to the original mesh stays right.
+  model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
+  model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
+  for (std::size_t k = 1; k < levelMeshes.size(); ++k)
+    --levelMeshes[k];
+  levelMeshes[0] = static_cast<int>(index);
+  return levelMeshes;
+}
+
+MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector<int>& nodes,
+                    const BakeOptions& options, const MeshProgress& progress) {
+  const tinygltf::Mesh& source = model.meshes[index];
   MeshReport report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
@@ -62,55 +119,52 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector
   if (!report.passedThrough.empty()) return report;
 
   CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
-  report.cleaned = cleanMesh(mesh);
+  const CleanCounts cleaned = cleanMesh(mesh);
   if (mesh.indices.empty()) {
+    report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
     return report;
   }
   subdivideMesh(mesh, options.subdivide);
+  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
+  const WedgeMesh wedges = makeWedges(mesh);
+  report.findings = examine(mesh, cleaned, wedges);
   Aabb bounds;
-  for (const std::uint32_t v : mesh.indices)
-    bounds.add(mesh.positions[v]);
+  for (const glm::vec3& p : wedges.positions)
+    bounds.add(p);
   report.diagonal = bounds.diagonal();
-
-  const LevelChain chain = makeChain(mesh, options.chain);
-  report.stopReason = chain.stopReason;
-  const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal);
-  std::vector<int> levelMeshes;
-  for (std::size_t k = 0; k < chain.levels.size(); ++k) {
-    const ChainLevel& level = chain.levels[k];
-    const WrittenMesh written = appendLevelMesh(model, source, mesh, level.indices);
-    tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
-    if (k > 0) target.name = fmt::format("{}_lod{}", source.name, k);
-    target.extras = k == 0 ? source.extras : tinygltf::Value();
-    asset::setLodInfo(target, {static_cast<std::uint32_t>(k), level.triangles(), written.vertices, level.errorMax});
-    levelMeshes.push_back(written.mesh);
-    report.levels.push_back({level.triangles(), written.vertices, level.errorMax, level.errorMean, coverage[k]});
+  if (!std::isfinite(report.diagonal)) {
+    report.passedThrough = "its coordinates are too large to measure";
+    return report;
   }
-  // LOD 0 takes the place of the original, so every reference to the mesh stays right.
-  model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
-  model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
-  for (std::size_t k = 1; k < levelMeshes.size(); ++k)
-    --levelMeshes[k];
-  levelMeshes[0] = static_cast<int>(index);
-  linkNodes(model, nodes, levelMeshes, coverage);
+
+  const LevelChain chain = makeChain(wedges, options.chain, [&](std::uint32_t triangles) {
+    progress(fmt::format("{}: {} triangles", report.name, triangles));
+  });
+  report.stopReason = chain.stopReason;
+  const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
+  for (std::size_t k = 0; k < chain.levels.size(); ++k)
+    report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
+  linkNodes(model, nodes, writeLevels(model, index, mesh, chain, report), coverage);
   return report;
 }
 
 }  // namespace
 
-std::vector<MeshReport> bakeDocument(tinygltf::Model& model, const BakeOptions& options,
-                                     const std::function<void(std::size_t, std::size_t)>& progress) {
+std::vector<MeshReport> bakeDocument(
+    tinygltf::Model& model, const BakeOptions& options,
+    const std::function<void(std::size_t, std::size_t, const std::string&)>& progress) {
   const std::size_t meshes = model.meshes.size();
   std::vector<std::vector<int>> users(meshes);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     if (model.nodes[n].mesh >= 0) users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
   std::vector<MeshReport> reports;
   for (std::size_t m = 0; m < meshes; ++m) {
-    progress(m, meshes);
+    progress(m, meshes, model.meshes[m].name);
     if (users[m].empty()) continue;
     try {
-      reports.push_back(bakeMesh(model, m, users[m], options));
+      reports.push_back(
+          bakeMesh(model, m, users[m], options, [&](const std::string& what) { progress(m, meshes, what); }));
     } catch (const Error& error) {
       const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
       throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));

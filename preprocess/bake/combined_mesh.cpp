@@ -41,14 +41,17 @@ void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& pri
                     PrimitiveData& data) {
   data.attributes.push_back(readAttribute(model, "POSITION", primitive.attributes.at("POSITION"), limit));
   data.vertexCount = static_cast<std::uint32_t>(data.attributes[0].values.size() / 3);
-  for (const float value : data.attributes[0].values)
-    if (!std::isfinite(value)) throw Error(ErrorCode::kMalformed, "a position is NaN or infinite");
   for (const auto& [name, accessor] : primitive.attributes) {
     if (name == "POSITION") continue;
     data.attributes.push_back(readAttribute(model, name, accessor, limit));
     const Attribute& attribute = data.attributes.back();
     if (attribute.values.size() != std::size_t{data.vertexCount} * attribute.components)
       throw Error(ErrorCode::kMalformed, "attributes of one primitive have different counts");
+    for (float& value : data.attributes.back().values) {
+      if (std::isfinite(value)) continue;
+      value = 0.0F;
+      ++data.repairedValues;
+    }
   }
 }
 
@@ -143,8 +146,8 @@ CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh
   return combined;
 }
 
-WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const std::vector<std::uint32_t>& indices) {
+WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined) {
+  const std::vector<std::uint32_t>& indices = combined.indices;
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;

@@ -25,6 +25,7 @@ struct PrimitiveData {
   std::vector<Attribute> attributes;
   std::uint32_t firstVertex = 0;  ///< of its vertices in CombinedMesh
   std::uint32_t vertexCount = 0;
+  std::uint64_t repairedValues = 0;  ///< numbers of attributes that were NaN or infinite and became 0
 };
 
 /// Vertices of all primitives in a row; every triangle's corners belong to one primitive.
@@ -39,16 +40,16 @@ struct CombinedMesh {
 /// it can.
 std::string unbakeableReason(const tinygltf::Mesh& mesh);
 
-/// Reads a mesh. Bit-identical vertices are shared. Errors: kMalformed (NaN or infinite positions too), kLimit.
+/// Reads a mesh. Bit-identical vertices are shared; positions may be NaN or infinite (see cleanMesh). Errors:
+/// kMalformed, kLimit.
 CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits);
 
-/// Appends a mesh with the primitives of `source` and the triangles `indices`, in vertex-cache and fetch order.
+/// Appends a mesh with the primitives of `source` and the triangles of `combined`, in vertex-cache and fetch order.
 /// Primitives that have no triangle left are dropped. @return  index of the new mesh and its number of vertices
 struct WrittenMesh {
   int mesh = -1;
   std::uint32_t vertices = 0;
 };
-WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const std::vector<std::uint32_t>& indices);
+WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined);
 
 }  // namespace jalousie::bake

@@ -1,43 +1,51 @@
-// How far a level lies from the original surface, measured.
+// How far a level lies from the original surface, measured both ways, with its shading and texture coordinates.
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
+#include "asset/lod_chain.h"
+#include "bake/surface_samples.h"
 #include "bake/triangle_bvh.h"
+#include "bake/wedge_mesh.h"
 
 namespace jalousie::bake {
 
-/// Triangles to measure: positions with indices in threes.
-struct Surface {
-  std::span<const glm::vec3> positions;
-  std::span<const std::uint32_t> indices;
+/// Deviation of a level from the original. Distances in object-space length.
+struct Deviation {
+  asset::DistanceInfo toOriginal;    ///< from the level's points
+  asset::DistanceInfo fromOriginal;  ///< from the original's points
+  asset::DistanceInfo twoSided;      ///< the larger maximum; the mean of the two means
+  asset::SpreadInfo normalDegrees;   ///< over the points of both
+  asset::SpreadInfo uv;              ///< TEXCOORD_0, over points whose nearest point lies in the same chart
 };
 
-/// Points all over a surface: every vertex in use, and `count` more spread evenly by area (a low-discrepancy sequence,
-/// the same for the same surface).
-std::vector<glm::vec3> samplePoints(const Surface& surface, std::uint32_t count);
-
-/// Distances in object-space length, both ways: points of the level to the original and points of the original to the
-/// level.
-struct Deviation {
-  double max = 0.0;
-  double mean = 0.0;  ///< of the larger of the two one-sided means
+struct MeterOptions {
+  std::uint32_t samples = 100000;   ///< points per surface for means and percentiles
+  std::uint32_t searches = 200000;  ///< most pieces looked at while the maximum is closed in on, per direction
 };
 
 /// Measures levels against one original, whose hierarchy and samples are made once.
+///
+/// Means are taken over points spread evenly by area. A maximum is closed in on by bounds: the distance to one triangle
+/// is convex, so over a piece it is largest at a corner, and the least over a few near triangles of that largest value
+/// bounds the distance to the whole mesh. Pieces whose bound exceeds what was found are split in four, worst first. The
+/// result is the bound once that is within 5 %, else what was found plus 5 %: never less than any sampled distance.
 class DeviationMeter {
  public:
-  DeviationMeter(const Surface& original, std::uint32_t samples);
+  explicit DeviationMeter(const WedgeMesh& original, const MeterOptions& options = {});
   /// Uses all cores; the result does not depend on how many there are.
-  Deviation measure(const Surface& level) const;
+  /// @param vertexMap  for each vertex of the original the one of the level it became, or ~0; may be empty. It only
+  /// starts searches. @param level  its sourceWedge refers to the original, for charts
+  Deviation measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap = {}) const;
 
  private:
-  TriangleBvh original_;
-  std::vector<glm::vec3> originalPoints_;
-  std::uint32_t samples_;
+  const WedgeMesh& original_;
+  MeterOptions options_;
+  TriangleBvh bvh_;
+  std::vector<SurfaceSample> samples_;
+  std::vector<std::uint32_t> chartOf_;  ///< of each wedge of the original
 };
 
 }  // namespace jalousie::bake

@@ -1,37 +1,80 @@
-// Distance from points to a triangle mesh, through a bounding volume hierarchy.
+// Nearest points on a triangle mesh, through a bounding volume hierarchy.
 #pragma once
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace jalousie::bake {
 
-/// Squared distance from p to triangle abc (Ericson 2005, 5.1.5), degenerate triangles included.
+/// A point of a triangle mesh, as seen from a query point.
+struct NearestPoint {
+  double distance2 = std::numeric_limits<double>::infinity();  ///< squared, object-space length
+  std::uint32_t triangle = ~0U;
+  glm::dvec3 barycentric{0.0};  ///< weights of the triangle's corners
+};
+
+/// The point of triangle abc nearest to p (Ericson 2005, 5.1.5), degenerate triangles included; `triangle` is not set.
+NearestPoint nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// Squared distance from p to triangle abc.
 double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// Binary hierarchy over triangles, split at the median of the widest axis. Build O(n log^2 n), deterministic.
+/// Hierarchy of four children a node over packets of four triangles, both tested at once with vector instructions;
+/// split at the median of the widest axis. Build O(n log n), deterministic.
 class TriangleBvh {
  public:
+  static constexpr std::uint32_t kNoSeed = ~0U;
+
   /// Keeps copies. @pre indices in threes, in range, at least one triangle (checked)
   TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
-  /// Distance to the nearest point of the mesh, object-space length. Safe to call from several threads.
-  double distance(const glm::vec3& point) const;
-
- private:
-  struct Node {
-    glm::vec3 min, max;
-    std::uint32_t first = 0;  ///< first triangle of a leaf, or the right child
-    std::uint32_t count = 0;  ///< triangles of a leaf; 0 for inner nodes, whose left child follows directly
-  };
+  /// Nearest point of the mesh. Candidates are compared in single precision, relative to the point; the result is
+  /// computed in double. @param seed  a triangle that is probably near: the search starts with its distance
+  /// Safe to call from several threads.
+  NearestPoint nearest(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
+  /// Distance to the nearest point of the mesh, object-space length.
+  double distance(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
+  /// Corners of triangle t.
   struct Corners {
     glm::vec3 a, b, c;
   };
-  void build(std::span<std::uint32_t> order, std::uint32_t first, std::span<const Corners> source);
+  const Corners& corners(std::uint32_t t) const { return triangles_[t]; }
 
+ private:
+  using Float4 [[gnu::vector_size(16)]] = float;
+  struct Vec4 {
+    Float4 x, y, z;
+  };
+  /// Boxes of four children; an empty one is infinitely far.
+  struct Node {
+    Vec4 min, max;
+    std::uint32_t child[4];  ///< node, or packet with kLeaf set
+  };
+  /// Four triangles; the last one is repeated to fill it.
+  struct Packet {
+    Vec4 a, b, c;
+    std::uint32_t id[4];
+  };
+  struct Item {
+    glm::vec3 center;
+    std::uint32_t triangle = 0;
+  };
+  struct Box {
+    glm::vec3 min, max;
+  };
+  static constexpr std::uint32_t kLeaf = 1U << 31U;
+
+  std::uint32_t build(std::span<Item> items, Box& box);
+  static std::size_t split(std::span<Item> items);
+  std::uint32_t makePacket(std::span<const Item> items, Box& box);
+  static Float4 packetDistances(const Packet& packet, const glm::vec3& p);
+
+  std::uint32_t root_ = 0;
   std::vector<Node> nodes_;
+  std::vector<Packet> packets_;
   std::vector<Corners> triangles_;
 };
 

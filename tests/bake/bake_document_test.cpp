@@ -57,7 +57,7 @@ std::vector<MeshReport> bakeIt(tinygltf::Model& model) {
   BakeOptions options;
   options.chain.levels = 5;
   options.chain.samples = 1000;
-  return bakeDocument(model, options, [](std::size_t, std::size_t) {});
+  return bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {});
 }
 
 TEST(BakeDocument, SharedMeshIsBakedOnceAndEveryNodeGetsItsChain) {
@@ -127,11 +127,29 @@ TEST(BakeDocument, SameInputSameBytes) {
   EXPECT_EQ(asset::encodeGlb(a), asset::encodeGlb(b));
 }
 
-TEST(BakeDocument, NanPositionsAreRefused) {
+TEST(BakeDocument, NanPositionsAreDroppedAndCounted) {
   tinygltf::Model model = document();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(model.buffers[0].data.data(), &nan, sizeof(nan));
-  EXPECT_EQ(test::bakeErrorOf([&] { bakeIt(model); }), ErrorCode::kMalformed);
+  const std::vector<MeshReport> reports = bakeIt(model);
+  EXPECT_GT(reports[0].findings.cleaned.notFinite, 0U);
+  EXPECT_EQ(reports[0].levels.size(), 5U);
+}
+
+TEST(BakeDocument, MeasuresAreWrittenIntoTheFile) {
+  tinygltf::Model model = document();
+  const std::vector<MeshReport> reports = bakeIt(model);
+  const std::vector<int> lower = asset::lodNodes(model, 1);
+  const auto info =
+      asset::lodInfo(model.meshes[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(lower[3])].mesh)]);
+  ASSERT_TRUE(info && info->measures);
+  const asset::LodMeasures& measures = *info->measures;
+  EXPECT_GT(measures.toOriginal.mean, 0.0);
+  EXPECT_GT(measures.fromOriginal.mean, 0.0);
+  EXPECT_GE(measures.normalDegrees.p95, measures.normalDegrees.mean * 0.5);
+  EXPECT_GT(measures.uv.mean, 0.0);
+  EXPECT_EQ(measures.stop, reports[0].stopReason);
+  EXPECT_EQ(measures.coverage, asset::lodCoverage(model.nodes[1])[4]);
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bake/combined_mesh.h"
+#include "bake/mesh_edges.h"
+#include "bake/wedge_mesh.h"
 #include "core/error.h"
 #include "support/scenes.h"
 
@@ -42,6 +45,49 @@ inline bake::CombinedMesh combined(const asset::Primitive& source) {
     }
   }
   mesh.primitives.push_back(std::move(data));
+  return mesh;
+}
+
+/// As combined, with TEXCOORD_0.
+inline bake::CombinedMesh combinedTextured(const asset::Primitive& source) {
+  bake::CombinedMesh mesh = combined(source);
+  bake::Attribute uvs{"TEXCOORD_0", 2, {}};
+  for (const glm::vec2& uv : source.uvs)
+    uvs.values.insert(uvs.values.end(), {uv.x, uv.y});
+  mesh.primitives[0].attributes.push_back(std::move(uvs));
+  return mesh;
+}
+
+inline bake::WedgeMesh wedges(const asset::Primitive& source) {
+  return bake::makeWedges(combined(source));
+}
+
+/// Every edge is used once in each direction.
+inline bool isClosed(const bake::WedgeMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::uint32_t c = 0; c < mesh.corners.size(); ++c)
+    ++edges[{mesh.vertexAt(c), mesh.vertexAt(bake::nextCorner(c))}];
+  for (const auto& [edge, count] : edges) {
+    const auto back = edges.find({edge.second, edge.first});
+    if (count != 1 || back == edges.end() || back->second != 1) return false;
+  }
+  return true;
+}
+
+/// Flat square from 0 to 1 in x and y with 2 n^2 triangles, its normal along +z, UV = position.
+inline asset::Primitive grid(std::uint32_t n) {
+  asset::Primitive mesh;
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    for (std::uint32_t x = 0; x <= n; ++x) {
+      const glm::vec2 p(static_cast<float>(x) / static_cast<float>(n), static_cast<float>(y) / static_cast<float>(n));
+      mesh.positions.emplace_back(p, 0.0F);
+      mesh.normals.emplace_back(0.0F, 0.0F, 1.0F);
+      mesh.uvs.push_back(p);
+      if (x == n || y == n) continue;
+      const std::uint32_t v = y * (n + 1) + x;
+      mesh.indices.insert(mesh.indices.end(), {v, v + 1, v + n + 2, v, v + n + 2, v + n + 1});
+    }
+  }
   return mesh;
 }
 

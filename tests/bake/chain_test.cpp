@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <cmath>
+#include <limits>
 
 #include "bake/bake_fixtures.h"
 #include "bake/clean.h"
@@ -15,99 +16,130 @@ namespace {
 
 using test::combined;
 
-ChainOptions fastOptions() {
+ChainOptions quickOptions(Preset preset = Preset::kBest) {
   ChainOptions options;
+  options.preset = preset;
   options.samples = 2000;
   return options;
 }
 
-void expectLaws(const CombinedMesh& mesh, const LevelChain& chain) {
+void expectLaws(const LevelChain& chain) {
   ASSERT_FALSE(chain.levels.empty());
   EXPECT_FALSE(chain.stopReason.empty());
   EXPECT_EQ(chain.levels[0].errorMax, 0.0);
   for (std::size_t k = 0; k < chain.levels.size(); ++k) {
     const ChainLevel& level = chain.levels[k];
-    EXPECT_EQ(level.indices.size() % 3, 0U);
-    for (const std::uint32_t index : level.indices)
-      ASSERT_LT(index, mesh.positions.size());
+    EXPECT_EQ(level.mesh.corners.size() % 3, 0U);
+    for (const std::uint32_t wedge : level.mesh.corners)
+      ASSERT_LT(wedge, level.mesh.vertexOf.size());
     if (k == 0) continue;
-    EXPECT_LT(level.triangles(), chain.levels[k - 1].triangles());
-    EXPECT_GE(level.triangles(), kMinLevelTriangles);
+    EXPECT_LT(level.mesh.triangles(), chain.levels[k - 1].mesh.triangles());
+    EXPECT_GE(level.mesh.triangles(), kMinLevelTriangles);
     EXPECT_GE(level.errorMax, chain.levels[k - 1].errorMax);
-    EXPECT_LE(level.errorMean, level.errorMax);
+    EXPECT_GE(level.errorMax, level.deviation.twoSided.max);
+    EXPECT_LE(level.deviation.twoSided.mean, level.deviation.twoSided.max);
+    EXPECT_LE(level.deviation.normalDegrees.mean, 180.0);
   }
 }
 
-/// Every edge of a closed, consistently wound mesh is used once in each direction.
-bool isClosed(const CombinedMesh& mesh, const std::vector<std::uint32_t>& indices) {
-  const std::vector<std::uint32_t> ids = weldByPosition(mesh.positions);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (std::size_t t = 0; t < indices.size(); t += 3)
-    for (std::size_t k = 0; k < 3; ++k)
-      ++edges[{ids[indices[t + k]], ids[indices[t + (k + 1) % 3]]}];
-  for (const auto& [edge, count] : edges) {
-    const auto back = edges.find({edge.second, edge.first});
-    if (count != 1 || back == edges.end() || back->second != 1) return false;
-  }
-  return true;
-}
+class EveryPreset : public testing::TestWithParam<Preset> {};
+INSTANTIATE_TEST_SUITE_P(Presets, EveryPreset, testing::Values(Preset::kBest, Preset::kFast, Preset::kDraft));
 
-TEST(Chain, ClosedMeshStaysClosedAtEveryLevel) {
-  const CombinedMesh mesh = combined(test::sphere(64, 32));
-  const LevelChain chain = makeChain(mesh, fastOptions());
-  expectLaws(mesh, chain);
+TEST_P(EveryPreset, ClosedMeshStaysClosedAtEveryLevel) {
+  const LevelChain chain = makeChain(test::wedges(test::sphere(64, 32)), quickOptions(GetParam()));
+  expectLaws(chain);
   EXPECT_GE(chain.levels.size(), 6U);
   for (const ChainLevel& level : chain.levels)
-    EXPECT_TRUE(isClosed(mesh, level.indices)) << level.triangles();
+    EXPECT_TRUE(test::isClosed(level.mesh)) << level.mesh.triangles();
 }
 
-TEST(Chain, CoarsestLevelHasExactlyTheAskedTriangles) {
-  const CombinedMesh mesh = combined(test::sphere(64, 32));
-  ChainOptions options = fastOptions();
+TEST_P(EveryPreset, CoarsestLevelHasExactlyTheAskedTriangles) {
+  ChainOptions options = quickOptions(GetParam());
   options.levels = 6;
   options.coarsest = 98;
-  const LevelChain chain = makeChain(mesh, options);
-  expectLaws(mesh, chain);
+  const LevelChain chain = makeChain(test::wedges(test::sphere(64, 32)), options);
+  expectLaws(chain);
   ASSERT_EQ(chain.levels.size(), 6U);
-  EXPECT_EQ(chain.levels.back().triangles(), 98U);
+  EXPECT_EQ(chain.levels.back().mesh.triangles(), 98U);
 }
 
-TEST(Chain, FlatShadedMeshIsSimplifiedToo) {
-  const CombinedMesh mesh = combined(test::flatShaded(test::sphere(48, 24)));
-  const LevelChain chain = makeChain(mesh, fastOptions());
-  expectLaws(mesh, chain);
-  EXPECT_LT(chain.levels.back().triangles(), mesh.indices.size() / 3 / 16);
+TEST_P(EveryPreset, FlatShadedMeshReachesItsTargets) {
+  const WedgeMesh mesh = test::wedges(test::flatShaded(test::sphere(48, 24)));
+  const LevelChain chain = makeChain(mesh, quickOptions(GetParam()));
+  expectLaws(chain);
+  ASSERT_GE(chain.levels.size(), 6U);
+  for (std::size_t k = 1; k < 6; ++k)
+    EXPECT_LE(chain.levels[k].mesh.triangles(), (mesh.triangles() >> k) + 2);
 }
 
-TEST(Chain, OpenNonManifoldAndTinyMeshesKeepTheLaws) {
+TEST_P(EveryPreset, OpenNonManifoldAndTinyMeshesKeepTheLaws) {
   Random random(5);
-  const CombinedMesh open = combined(test::perforatedWall(20, 0.4F, random));
-  expectLaws(open, makeChain(open, fastOptions()));
+  expectLaws(makeChain(test::wedges(test::perforatedWall(20, 0.4F, random)), quickOptions(GetParam())));
   asset::Primitive fan = test::sphere(16, 8);  // three sheets on one edge
   const auto n = static_cast<std::uint32_t>(fan.positions.size());
   fan.positions.insert(fan.positions.end(), {{2, 0, 0}, {2, 1, 0}, {2, 0, 1}});
   fan.normals.insert(fan.normals.end(), 3, glm::vec3(1, 0, 0));
   fan.indices.insert(fan.indices.end(), {0, 1, n, 0, 1, n + 1, 0, 1, n + 2});
-  const CombinedMesh nonManifold = combined(fan);
-  expectLaws(nonManifold, makeChain(nonManifold, fastOptions()));
+  expectLaws(makeChain(test::wedges(fan), quickOptions(GetParam())));
   asset::Primitive one;
   one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.normals.assign(3, {0, 0, 1});
   one.indices = {0, 1, 2};
-  const LevelChain single = makeChain(combined(one), fastOptions());
+  const LevelChain single = makeChain(test::wedges(one), quickOptions(GetParam()));
   EXPECT_EQ(single.levels.size(), 1U);
   EXPECT_FALSE(single.stopReason.empty());
 }
 
-TEST(Chain, CoverageDescendsToZero) {
-  const CombinedMesh mesh = combined(test::sphere(64, 32));
-  const LevelChain chain = makeChain(mesh, fastOptions());
+TEST(Chain, BestIsNearerThanDraftInDistanceAndNormals) {
+  // A bumpy sphere: curvature everywhere, so that the order of collapses matters.
+  asset::Primitive bumpy = test::sphere(96, 64);
+  for (glm::vec3& p : bumpy.positions)
+    p *= 1.0F + 0.1F * std::sin(7.0F * p.x) * std::sin(5.0F * p.y + 2.0F * p.z);
+  bumpy.normals = smoothNormals(bumpy.positions, bumpy.indices);
+  const WedgeMesh mesh = test::wedges(bumpy);
+  const LevelChain best = makeChain(mesh, quickOptions(Preset::kBest));
+  const LevelChain fast = makeChain(mesh, quickOptions(Preset::kFast));
+  const LevelChain draft = makeChain(mesh, quickOptions(Preset::kDraft));
+  for (std::size_t k = 1; k < 7; ++k) {
+    const Deviation& reference = draft.levels.at(k).deviation;
+    EXPECT_LT(best.levels.at(k).deviation.twoSided.mean, 0.8 * reference.twoSided.mean) << k;
+    EXPECT_LT(best.levels.at(k).deviation.normalDegrees.mean, 0.9 * reference.normalDegrees.mean) << k;
+    EXPECT_LT(fast.levels.at(k).deviation.twoSided.mean, (k < 3 ? 0.9 : 0.6) * reference.twoSided.mean) << k;
+  }
+}
+
+TEST(Chain, StopsWithTheReason) {
+  const WedgeMesh mesh = test::wedges(test::sphere(32, 16));
+  ChainOptions options = quickOptions();
+  options.untilTriangles = 200;
+  LevelChain chain = makeChain(mesh, options);
+  EXPECT_GE(chain.levels.back().mesh.triangles(), 200U);
+  EXPECT_NE(chain.stopReason.find("fewer than 200"), std::string::npos);
+  options.untilTriangles.reset();
+  options.untilError = 1.0;
+  chain = makeChain(mesh, options);
+  EXPECT_GT(chain.levels.size(), 1U);
+  const double diagonal = 2.0 * std::sqrt(3.0);
+  EXPECT_LE(chain.levels.back().errorMax, 0.01 * diagonal);
+  EXPECT_NE(chain.stopReason.find("% of the diagonal"), std::string::npos);
+  options.untilError = 25.0;
+  options.ratios = {0.6, 0.1};
+  chain = makeChain(mesh, options);
+  ASSERT_EQ(chain.levels.size(), 3U);
+  EXPECT_NEAR(chain.levels[1].mesh.triangles(), 0.6 * mesh.triangles(), 2.0);
+  EXPECT_NEAR(chain.levels[2].mesh.triangles(), 0.1 * mesh.triangles(), 2.0);
+}
+
+TEST(Chain, CoverageDescendsToZeroAndFollowsTheTolerance) {
+  const LevelChain chain = makeChain(test::wedges(test::sphere(64, 32)), quickOptions());
   const std::vector<float> coverage = screenCoverage(chain, 1.0);
   ASSERT_EQ(coverage.size(), chain.levels.size());
   EXPECT_LE(coverage.front(), 1.0F);
   EXPECT_EQ(coverage.back(), 0.0F);
   for (std::size_t k = 1; k < coverage.size(); ++k)
     EXPECT_LE(coverage[k], coverage[k - 1]);
+  const std::vector<float> looser = screenCoverage(chain, 1.0, {2.0, 1080.0});
+  EXPECT_NEAR(looser[3], 4.0F * coverage[3], 1e-4F * coverage[3]);  // twice the size on screen
 }
 
 TEST(Clean, DegenerateAndDuplicateTrianglesGoTheRestKeepsItsOrder) {
@@ -122,12 +154,25 @@ TEST(Clean, DegenerateAndDuplicateTrianglesGoTheRestKeepsItsOrder) {
   EXPECT_EQ(mesh.indices, kept);
 }
 
+TEST(Clean, TrianglesThatAreNowhereAreCounted) {
+  asset::Primitive source = test::box(glm::vec3(1));
+  const std::size_t kept = source.indices.size();
+  source.positions.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F);
+  source.positions.emplace_back(0.0F, std::numeric_limits<float>::infinity(), 0.0F);
+  source.normals.insert(source.normals.end(), 2, glm::vec3(0, 1, 0));
+  const auto n = static_cast<std::uint32_t>(source.positions.size());
+  source.indices.insert(source.indices.end(), {0, 1, n - 2, 0, n - 1, 2});
+  CombinedMesh mesh = combined(source);
+  EXPECT_EQ(cleanMesh(mesh).notFinite, 2U);
+  EXPECT_EQ(mesh.indices.size(), kept);
+}
+
 TEST(Subdivide, EachStepMakesFourTrianglesOfOneAndStaysClosed) {
   CombinedMesh mesh = combined(test::sphere(12, 6));
   const std::size_t before = mesh.indices.size();
   subdivideMesh(mesh, 2);
   EXPECT_EQ(mesh.indices.size(), before * 16);
-  EXPECT_TRUE(isClosed(mesh, mesh.indices));
+  EXPECT_TRUE(test::isClosed(makeWedges(mesh)));
   for (const glm::vec3& p : mesh.positions)
     EXPECT_LE(glm::length(p), 1.0F + 1e-5F);  // Loop stays in the convex hull
 }

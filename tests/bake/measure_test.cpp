@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bake/bake_fixtures.h"
+#include "bake/chain.h"
 #include "core/random.h"
 
 namespace jalousie::bake {
@@ -46,25 +47,86 @@ TEST(TriangleDistance, FaceEdgeAndCornerAreTheNearestInTurn) {
   EXPECT_NEAR(squaredDistanceToTriangle({-3, -4, 0}, a, b, c), 25.0, 1e-12);
 }
 
+TEST(TriangleBvh, SeedsDoNotChangeTheResult) {
+  const WedgeMesh mesh = test::wedges(test::sphere(40, 20));
+  const TriangleBvh bvh(mesh.positions, vertexIndices(mesh));
+  Random random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::vec3 p(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+    const std::uint32_t seed = random.below(mesh.triangles());
+    ASSERT_NEAR(bvh.distance(p, seed), bvh.distance(p), 1e-6);
+  }
+}
+
+MeterOptions quick(std::uint32_t samples) {
+  return {samples, 20000};
+}
+
 TEST(Deviation, OfConcentricSpheresIsTheDifferenceOfTheirRadii) {
-  asset::Primitive outer = test::sphere(96, 64);
-  asset::Primitive inner = outer;
+  const WedgeMesh outer = test::wedges(test::sphere(96, 64));
+  WedgeMesh inner = outer;
   for (glm::vec3& p : inner.positions)
     p *= 0.9F;
-  const DeviationMeter meter({outer.positions, outer.indices}, 5000);
-  const Deviation deviation = meter.measure({inner.positions, inner.indices});
-  EXPECT_NEAR(deviation.max, 0.1, 0.003);
-  EXPECT_NEAR(deviation.mean, 0.1, 0.003);
-  EXPECT_NEAR(meter.measure({outer.positions, outer.indices}).max, 0.0, 1e-6);
+  const DeviationMeter meter(outer, quick(5000));
+  const Deviation deviation = meter.measure(inner);
+  EXPECT_NEAR(deviation.twoSided.max, 0.1, 0.006);
+  EXPECT_NEAR(deviation.twoSided.mean, 0.1, 0.003);
+  EXPECT_LT(deviation.normalDegrees.p95, 2.0);
+  EXPECT_NEAR(meter.measure(outer).twoSided.max, 0.0, 1e-6);
 }
 
 TEST(Deviation, SeesWhatOnlyTheOriginalHas) {
-  asset::Primitive whole = test::sphere(32, 16);
-  asset::Primitive half = whole;
-  half.indices.resize(half.indices.size() / 2);  // one-sided distance from the half to the whole is zero
-  const Deviation deviation =
-      DeviationMeter({whole.positions, whole.indices}, 2000).measure({half.positions, half.indices});
-  EXPECT_GT(deviation.max, 0.5);
+  const WedgeMesh whole = test::wedges(test::sphere(32, 16));
+  WedgeMesh half = whole;
+  half.corners.resize(half.corners.size() / 6 * 3);
+  const Deviation deviation = DeviationMeter(whole, quick(2000)).measure(half);
+  EXPECT_GT(deviation.fromOriginal.max, 0.5);
+  EXPECT_LT(deviation.toOriginal.max, 1e-5);
+  EXPECT_EQ(deviation.twoSided.max, deviation.fromOriginal.max);
+}
+
+TEST(Deviation, TurnedNormalsAndMovedTextureAreMeasured) {
+  const WedgeMesh flat = makeWedges(test::combinedTextured(test::grid(4)));
+  WedgeMesh changed = flat;
+  const double angle = 0.3;
+  for (std::uint32_t w = 0; w < changed.vertexOf.size(); ++w) {
+    float* values = &changed.attributes[std::size_t{w} * changed.stride];
+    const float* normal = values + changed.slot("NORMAL")->offset;
+    ASSERT_EQ(normal[2], 1.0F);
+    values[changed.slot("NORMAL")->offset] = static_cast<float>(std::sin(angle));
+    values[changed.slot("NORMAL")->offset + 2] = static_cast<float>(std::cos(angle));
+    values[changed.slot("TEXCOORD_0")->offset] += 0.25F;
+  }
+  const Deviation deviation = DeviationMeter(flat, quick(2000)).measure(changed);
+  EXPECT_NEAR(deviation.normalDegrees.mean, angle * 180.0 / 3.14159265, 1e-3);
+  EXPECT_NEAR(deviation.normalDegrees.p95, angle * 180.0 / 3.14159265, 1e-3);
+  EXPECT_NEAR(deviation.uv.mean, 0.25, 1e-5);
+  EXPECT_NEAR(deviation.twoSided.max, 0.0, 1e-6);
+}
+
+/// Largest distance of many random points of one mesh to another, by brute sampling.
+double sampledMaximum(const WedgeMesh& from, const WedgeMesh& to, std::uint64_t seed) {
+  const TriangleBvh bvh(to.positions, vertexIndices(to));
+  Random random(seed);
+  double largest = 0.0;
+  for (int i = 0; i < 40000; ++i) {
+    const float root = std::sqrt(random.uniform());
+    const float r = random.uniform();
+    const std::uint32_t t = random.below(from.triangles());
+    largest = std::max(largest, bvh.distance(positionAt(from, t, {1.0F - root, root * (1.0F - r), root * r})));
+  }
+  return largest;
+}
+
+TEST(Deviation, NoRandomPointIsFurtherThanTheMaximum) {
+  const WedgeMesh original = test::wedges(test::sphere(64, 32));
+  ChainOptions options;
+  options.samples = 1000;  // the bounds have to do the work
+  for (const ChainLevel& level : makeChain(original, options).levels) {
+    const double slack = 1e-6;
+    EXPECT_LE(sampledMaximum(level.mesh, original, 1), level.deviation.toOriginal.max + slack);
+    EXPECT_LE(sampledMaximum(original, level.mesh, 2), level.deviation.fromOriginal.max + slack);
+  }
 }
 
 }  // namespace

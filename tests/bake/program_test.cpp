@@ -7,6 +7,7 @@
 
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
+#include "core/file.h"
 #include "support/run_program.h"
 
 namespace jalousie {
@@ -56,6 +57,20 @@ TEST_F(BakeProgram, ReportAndFileAgree) {
   }
 }
 
+TEST_F(BakeProgram, InspectAndSheetShowTheBake) {
+  ASSERT_EQ(
+      bake({file("ball.ply"), "-o", file("out.glb"), "--levels", "3", "--sheet", file("sheet.html"), "-q"}).exitCode,
+      0);
+  EXPECT_GT(std::filesystem::file_size(file("sheet.html")), 10000U);
+  const ProgramResult text = bake({"inspect", file("out.glb")});
+  EXPECT_EQ(text.exitCode, 0) << text.standardError;
+  EXPECT_NE(text.standardOutput.find("ball: 3 levels"), std::string::npos);
+  const ProgramResult json = bake({"inspect", file("out.glb"), "--json"});
+  EXPECT_EQ(nlohmann::json::parse(json.standardOutput)["chains"][0]["levels"].size(), 3U);
+  EXPECT_EQ(bake({"inspect", file("missing.glb")}).exitCode, 3);
+  EXPECT_EQ(bake({"inspect"}).exitCode, 2);
+}
+
 TEST_F(BakeProgram, SeveralInputsBecomeSeveralNodesInOrder) {
   std::ofstream(file("quad.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
   ASSERT_EQ(bake({file("ball.ply"), file("quad.obj"), "-o", file("out.glb"), "-q"}).exitCode, 0);
@@ -75,6 +90,17 @@ TEST_F(BakeProgram, SameBytesEveryTime) {
   EXPECT_EQ(text("a.glb"), text("b.glb"));
 }
 
+TEST_F(BakeProgram, SameBytesOnOneCore) {
+  if (!std::filesystem::exists("/usr/bin/taskset")) GTEST_SKIP() << "taskset is not installed";
+  for (const char* preset : {"best", "fast", "draft"}) {
+    ASSERT_EQ(bake({file("ball.ply"), "-o", file("all.glb"), "--preset", preset}).exitCode, 0);
+    const ProgramResult one = test::runProgram("/usr/bin/taskset", {"-c", "0", JALOUSIE_BAKE_PROGRAM, file("ball.ply"),
+                                                                    "-o", file("one.glb"), "--preset", preset});
+    if (one.exitCode == 1) GTEST_SKIP() << "core 0 is not ours: " << one.standardError;
+    EXPECT_EQ(readFile(file("all.glb"), 1U << 30U), readFile(file("one.glb"), 1U << 30U)) << preset;
+  }
+}
+
 TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
   std::ofstream(file("broken.ply")) << "ply\nformat ascii 1.0\nelement vertex 99\n";
   std::ofstream(file("notes.txt")) << "hello";
@@ -87,6 +113,10 @@ TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
   expectRefused({file("ball.ply")}, 2, "--output");
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--levels", "0"}, 2, "--levels");
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--ratio", "0.5", "--coarsest", "9"}, 2, "--ratio");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--ratios", "0.5,2"}, 2, "--ratios");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--ratios", "0.25,0.5"}, 2, "--ratios");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "finest"}, 2, "--preset");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "draft", "--weight-uv", "2"}, 2, "--weight-uv");
 }
 
 }  // namespace

@@ -57,6 +57,16 @@ TEST_F(Validator, AcceptsABakedFile) {
   expectNoErrors("ball.glb");
 }
 
+TEST_F(Validator, AcceptsQuantisedAndCompressedFiles) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--quantize"}, {"--compress"}, {"--quantize", "--compress"}}) {
+    std::vector<std::string> arguments = {file("ball.ply"), "-o", file("small.glb"), "-q"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    ASSERT_EQ(test::runProgram(JALOUSIE_BAKE_PROGRAM, arguments).exitCode, 0);
+    expectNoErrors("small.glb");
+  }
+}
+
 TEST_F(Validator, AcceptsABakedObjWithMaterials) {
   std::ofstream(file("two.mtl")) << "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\nd 0.5\n";
   std::ofstream(file("two.obj")) << "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nusemtl red\n"

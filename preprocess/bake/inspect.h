@@ -1,0 +1,41 @@
+// The LOD chains of any glTF, ours or not.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "asset/lod_chain.h"
+
+namespace jalousie::bake {
+
+struct InspectedLevel {
+  int mesh = -1;
+  std::uint64_t triangles = 0;         ///< of indexed and plain lists, strips and fans
+  std::uint64_t vertices = 0;          ///< sum of the primitives' POSITION counts
+  std::optional<asset::LodInfo> info;  ///< what our baker wrote; absent in other tools' files
+};
+
+/// LOD 0 first. A mesh without MSFT_lod is a chain of one level.
+struct InspectedChain {
+  std::string name;         ///< of the mesh, or its number
+  std::uint64_t nodes = 0;  ///< that show LOD 0's mesh
+  std::vector<InspectedLevel> levels;
+  std::vector<float> coverage;  ///< MSFT_screencoverage, may be empty
+};
+
+/// Chains by the meshes of their LOD 0, in the order of the meshes. Errors: kMalformed (of lodNodes and lodInfo).
+std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
+
+/// One table per chain; '-' where a file does not say.
+std::string inspectText(const std::vector<InspectedChain>& chains);
+/// {"chains": [{"name", "nodes", "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file
+/// says,
+///   "error_object", "error_percent", "mean_percent", "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
+///   "stop"}]}]}
+std::string inspectJson(const std::vector<InspectedChain>& chains);
+
+}  // namespace jalousie::bake

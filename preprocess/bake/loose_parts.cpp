@@ -1,0 +1,71 @@
+// Union of vertices over faces, then faces counted into their parts.
+#include "bake/loose_parts.h"
+
+#include <numeric>
+
+#include "core/aabb.h"
+
+namespace jalousie::bake {
+namespace {
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) {
+    parent[v] = parent[parent[v]];
+    v = parent[v];
+  }
+  return v;
+}
+
+void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  a = rootOf(parent, a);
+  b = rootOf(parent, b);
+  if (a != b) parent[std::max(a, b)] = std::min(a, b);
+}
+
+}  // namespace
+
+LooseParts findLooseParts(const WedgeMesh& mesh) {
+  constexpr std::uint32_t kNone = ~0U;
+  std::vector<std::uint32_t> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const std::uint32_t faces = mesh.triangles();
+  for (std::uint32_t f = 0; f < faces; ++f) {
+    unite(parent, mesh.vertexAt(3 * std::size_t{f}), mesh.vertexAt(3 * std::size_t{f} + 1));
+    unite(parent, mesh.vertexAt(3 * std::size_t{f}), mesh.vertexAt(3 * std::size_t{f} + 2));
+  }
+  LooseParts result;
+  std::vector<std::uint32_t> partOf(mesh.positions.size(), kNone);
+  std::vector<std::uint32_t> partOfFace(faces);
+  std::vector<Aabb> boxes;
+  for (std::uint32_t f = 0; f < faces; ++f) {
+    std::uint32_t& part = partOf[rootOf(parent, mesh.vertexAt(3 * std::size_t{f}))];
+    if (part == kNone) {
+      part = static_cast<std::uint32_t>(result.parts.size());
+      result.parts.emplace_back();
+      boxes.emplace_back();
+    }
+    partOfFace[f] = part;
+    const glm::vec3& a = mesh.positions[mesh.vertexAt(3 * std::size_t{f})];
+    const glm::vec3& b = mesh.positions[mesh.vertexAt(3 * std::size_t{f} + 1)];
+    const glm::vec3& c = mesh.positions[mesh.vertexAt(3 * std::size_t{f} + 2)];
+    result.parts[part].area +=
+        0.5 * glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
+    ++result.parts[part].faceCount;
+    for (const glm::vec3& p : {a, b, c})
+      boxes[part].add(p);
+  }
+  std::uint32_t first = 0;
+  for (std::uint32_t p = 0; p < result.parts.size(); ++p) {
+    result.parts[p].radius = 0.5 * boxes[p].diagonal();
+    result.parts[p].firstFace = first;
+    first += result.parts[p].faceCount;
+    if (result.parts[p].area > result.parts[result.largest].area) result.largest = p;
+  }
+  result.faces.resize(faces);
+  std::vector<std::uint32_t> fill(result.parts.size(), 0);
+  for (std::uint32_t f = 0; f < faces; ++f)
+    result.faces[result.parts[partOfFace[f]].firstFace + fill[partOfFace[f]]++] = f;
+  return result;
+}
+
+}  // namespace jalousie::bake

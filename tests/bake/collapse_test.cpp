@@ -1,0 +1,297 @@
+// What must survive a collapse: borders, seams, materials, mirrored texture, hard edges, the largest part.
+#include "bake/collapse.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "bake/bake_fixtures.h"
+#include "bake/chain.h"
+#include "bake/hard_edges.h"
+#include "bake/loose_parts.h"
+#include "bake/refit.h"
+#include "core/random.h"
+
+namespace jalousie::bake {
+namespace {
+
+WedgeMesh collapsed(const WedgeMesh& mesh, std::uint32_t target, const CollapseOptions& options = {}) {
+  EdgeCollapser collapser(mesh, options);
+  collapser.collapseTo(target);
+  EXPECT_EQ(collapser.triangles(), collapser.mesh().triangles());
+  return collapser.mesh();
+}
+
+glm::vec2 uvOf(const WedgeMesh& mesh, std::uint32_t wedge) {
+  const float* values = &mesh.attributes[std::size_t{wedge} * mesh.stride + mesh.slot("TEXCOORD_0")->offset];
+  return {values[0], values[1]};
+}
+
+double signedUvArea(const WedgeMesh& mesh, std::uint32_t t) {
+  const glm::dvec2 a(uvOf(mesh, mesh.corners[3 * std::size_t{t}]));
+  const glm::dvec2 b(uvOf(mesh, mesh.corners[3 * std::size_t{t} + 1]));
+  const glm::dvec2 c(uvOf(mesh, mesh.corners[3 * std::size_t{t} + 2]));
+  return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+std::set<std::array<float, 3>> borderPositions(const WedgeMesh& mesh) {
+  std::set<std::array<float, 3>> result;
+  for (const MeshEdge& edge : findEdges(mesh).edges)
+    if (edge.kind == EdgeKind::kBorder)
+      for (const std::uint32_t v : {edge.a, edge.b})
+        result.insert({mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z});
+  return result;
+}
+
+/// A wavy grid, so that collapses cost something.
+asset::Primitive waves(std::uint32_t n) {
+  asset::Primitive mesh = test::grid(n);
+  for (glm::vec3& p : mesh.positions)
+    p.z = 0.05F * std::sin(9.0F * p.x) * std::cos(7.0F * p.y);
+  return mesh;
+}
+
+TEST(Collapse, FlatSquareBecomesTwoTrianglesPerAreaAndKeepsItsOutline) {
+  const WedgeMesh level = collapsed(test::wedges(test::grid(16)), 8);
+  double area = 0.0;
+  for (std::uint32_t t = 0; t < level.triangles(); ++t) {
+    const glm::vec3 a = level.positions[level.vertexAt(3 * std::size_t{t})];
+    const glm::vec3 b = level.positions[level.vertexAt(3 * std::size_t{t} + 1)];
+    const glm::vec3 c = level.positions[level.vertexAt(3 * std::size_t{t} + 2)];
+    area += 0.5 * static_cast<double>(glm::cross(b - a, c - a).z);
+  }
+  EXPECT_LE(level.triangles(), 8U);
+  EXPECT_NEAR(area, 1.0, 1e-4);  // the outline and no fold: signed area is the square's
+}
+
+TEST(Collapse, LockedBorderDoesNotMove) {
+  const WedgeMesh mesh = makeWedges(test::combinedTextured(waves(12)));
+  CollapseOptions options;
+  options.lockBorder = true;
+  EdgeCollapser collapser(mesh, options);
+  collapser.collapseTo(100);
+  WedgeMesh level = collapser.mesh();
+  EXPECT_LT(level.triangles(), 150U);
+  RefitOptions refit;
+  refit.lockBorder = true;
+  refitLevel(mesh, collapser.vertexMap(), refit, level);
+  EXPECT_EQ(borderPositions(level), borderPositions(mesh));
+}
+
+TEST(Collapse, DraftLocksBordersToo) {
+  const WedgeMesh mesh = makeWedges(test::combinedTextured(waves(12)));
+  ChainOptions options;
+  options.preset = Preset::kDraft;
+  options.levels = 2;
+  options.samples = 1000;
+  options.collapse.lockBorder = true;
+  const LevelChain chain = makeChain(mesh, options);
+  ASSERT_EQ(chain.levels.size(), 2U);
+  EXPECT_EQ(borderPositions(chain.levels[1].mesh), borderPositions(mesh));
+}
+
+TEST(Collapse, HugeTinyAndFarAwayMeshesAreMadeLikeAnyOther) {
+  for (const float scale : {1e18F, 1e-18F}) {
+    asset::Primitive ball = test::sphere(32, 16);
+    for (glm::vec3& p : ball.positions)
+      p *= scale;
+    const WedgeMesh level = collapsed(test::wedges(ball), 100);
+    EXPECT_LE(level.triangles(), 100U);
+    EXPECT_TRUE(test::isClosed(level));
+    for (const glm::vec3& p : level.positions)
+      EXPECT_NEAR(glm::length(glm::dvec3(p) / double{scale}), 1.0, 0.15);
+  }
+}
+
+TEST(Collapse, TextureFollowsThePositionAndStaysClosedAtSeams) {
+  // Two halves of one sheet, each with its own chart: u is mirrored on the right one.
+  asset::Primitive sheet = waves(24);
+  CombinedMesh source = test::combinedTextured(sheet);
+  Attribute& uvs = source.primitives[0].attributes[2];
+  std::vector<std::uint32_t> twin(source.positions.size());
+  const std::size_t vertices = source.positions.size();
+  for (std::size_t v = 0; v < vertices; ++v) {
+    twin[v] = static_cast<std::uint32_t>(source.positions.size());
+    source.positions.push_back(source.positions[v]);
+    source.primitiveOf.push_back(0);
+    for (Attribute& attribute : source.primitives[0].attributes)
+      for (std::uint32_t k = 0; k < attribute.components; ++k)
+        attribute.values.push_back(attribute.values[v * attribute.components + k]);
+    uvs.values[uvs.values.size() - 2] = 5.0F - uvs.values[2 * v];
+  }
+  source.primitives[0].vertexCount = static_cast<std::uint32_t>(source.positions.size());
+  for (std::size_t t = 0; t < source.indices.size(); t += 3) {
+    float x = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k)
+      x += source.positions[source.indices[t + k]].x / 3.0F;
+    if (x < 0.5F) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      source.indices[t + k] = twin[source.indices[t + k]];
+  }
+  const WedgeMesh mesh = makeWedges(source);
+  const WedgeMesh level = collapsed(mesh, mesh.triangles() / 8);
+  EXPECT_LE(level.triangles(), mesh.triangles() / 8);
+  for (std::uint32_t t = 0; t < level.triangles(); ++t) {
+    const bool mirrored = uvOf(level, level.corners[3 * std::size_t{t}]).x > 2.5F;
+    EXPECT_TRUE(mirrored ? signedUvArea(level, t) < 1e-9 : signedUvArea(level, t) > -1e-9) << t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t wedge = level.corners[3 * std::size_t{t} + k];
+      const glm::vec2 uv = uvOf(level, wedge);
+      EXPECT_EQ(uv.x > 2.5F, mirrored);  // no triangle spans both charts
+      const glm::vec3 p = level.positions[level.vertexOf[wedge]];
+      EXPECT_NEAR(mirrored ? 5.0F - uv.x : uv.x, p.x, 0.03F);
+      EXPECT_NEAR(uv.y, p.y, 0.03F);
+    }
+  }
+  for (const MeshEdge& edge : findEdges(level).edges) {
+    EXPECT_NE(edge.kind, EdgeKind::kNonManifold);
+    if (edge.kind != EdgeKind::kBorder) continue;  // borders only where the sheet ends
+    const glm::vec3 m = 0.5F * (level.positions[edge.a] + level.positions[edge.b]);
+    EXPECT_LT(std::min({m.x, m.y, 1.0F - m.x, 1.0F - m.y}), 0.02F);
+  }
+}
+
+TEST(Collapse, TangentsFollowAndStayUsable) {
+  const asset::Primitive sheet = waves(24);
+  CombinedMesh source = test::combinedTextured(sheet);
+  Attribute tangents{"TANGENT", 4, {}};
+  for (std::size_t v = 0; v < source.positions.size(); ++v)
+    tangents.values.insert(tangents.values.end(), {1.0F, 0.0F, 0.0F, -1.0F});
+  source.primitives[0].attributes.push_back(tangents);
+  const WedgeMesh mesh = makeWedges(source);
+  EdgeCollapser collapser(mesh, {});
+  collapser.collapseTo(mesh.triangles() / 10);
+  WedgeMesh level = collapser.mesh();
+  refitLevel(mesh, collapser.vertexMap(), {}, level);
+  const CombinedMesh written = combineWedges(level, source);
+  const std::vector<float>& n = written.primitives[0].attributes[1].values;
+  const std::vector<float>& t = written.primitives[0].attributes[3].values;
+  for (std::size_t v = 0; v < written.positions.size(); ++v) {
+    EXPECT_NEAR(std::hypot(t[4 * v], t[4 * v + 1], t[4 * v + 2]), 1.0, 1e-5);
+    EXPECT_NEAR(n[3 * v] * t[4 * v] + n[3 * v + 1] * t[4 * v + 1] + n[3 * v + 2] * t[4 * v + 2], 0.0, 2e-3);
+    EXPECT_EQ(t[4 * v + 3], -1.0F);
+    EXPECT_GT(t[4 * v], 0.7F);
+  }
+}
+
+TEST(Collapse, BordersBetweenMaterialsStayWatertight) {
+  // A sphere whose upper half is another primitive.
+  const asset::Primitive ball = test::sphere(48, 32);
+  CombinedMesh source = test::combined(ball);
+  const CombinedMesh copy = source;
+  const auto vertices = static_cast<std::uint32_t>(copy.positions.size());
+  PrimitiveData second = copy.primitives[0];
+  second.firstVertex = vertices;
+  source.positions.insert(source.positions.end(), copy.positions.begin(), copy.positions.end());
+  source.primitiveOf.resize(source.positions.size(), 1);
+  source.primitives.push_back(second);
+  for (std::size_t t = 0; t < source.indices.size(); t += 3) {
+    float y = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k)
+      y += source.positions[source.indices[t + k]].y;
+    if (y < 0.0F) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      source.indices[t + k] += vertices;
+  }
+  const WedgeMesh level = collapsed(makeWedges(source), 200);
+  EXPECT_LE(level.triangles(), 200U);
+  EXPECT_TRUE(test::isClosed(level));
+  std::set<std::uint32_t> primitives;
+  double straying = 0.0;
+  for (std::size_t t = 0; t < level.corners.size(); t += 3) {
+    primitives.insert(level.primitiveOf[level.corners[t]]);
+    for (std::size_t k = 1; k < 3; ++k)
+      EXPECT_EQ(level.primitiveOf[level.corners[t + k]], level.primitiveOf[level.corners[t]]);
+  }
+  EXPECT_EQ(primitives.size(), 2U);
+  for (const MeshEdge& edge : findEdges(level).edges)
+    if (edge.kind == EdgeKind::kMaterial)
+      straying = std::max(
+          {straying, std::abs(double{level.positions[edge.a].y}), std::abs(double{level.positions[edge.b].y})});
+  EXPECT_LT(straying, 0.12);  // the equator stays near the equator
+}
+
+TEST(Collapse, SmallLoosePartsGoTheLargestStays) {
+  asset::Primitive many = test::sphere(32, 16);
+  Random random(3);
+  for (int i = 0; i < 60; ++i) {
+    const asset::Primitive crumb = test::sphere(6, 4);
+    const auto first = static_cast<std::uint32_t>(many.positions.size());
+    const glm::vec3 place(random.uniform(2, 4), random.uniform(-1, 1), random.uniform(-1, 1));
+    for (const glm::vec3& p : crumb.positions)
+      many.positions.push_back(place + 0.02F * p);
+    many.normals.insert(many.normals.end(), crumb.normals.begin(), crumb.normals.end());
+    for (const std::uint32_t index : crumb.indices)
+      many.indices.push_back(first + index);
+  }
+  const WedgeMesh mesh = test::wedges(many);
+  ASSERT_EQ(findLooseParts(mesh).parts.size(), 61U);
+  const WedgeMesh level = collapsed(mesh, 60);
+  EXPECT_LE(level.triangles(), 60U);
+  const LooseParts parts = findLooseParts(level);
+  EXPECT_LT(parts.parts.size(), 15U);
+  EXPECT_GT(parts.parts[parts.largest].radius, 0.8);
+}
+
+TEST(Collapse, CubeKeepsItsHardEdges) {
+  // A cube of 6 x 2 x 8^2 triangles with face normals: every level down to 12 triangles is the same cube.
+  asset::Primitive cube;
+  for (int face = 0; face < 6; ++face) {
+    const asset::Primitive side = test::grid(8);
+    const auto first = static_cast<std::uint32_t>(cube.positions.size());
+    const int axis = face / 2;
+    for (const glm::vec3& p : side.positions) {
+      glm::vec3 q;
+      q[axis] = face % 2 == 0 ? 0.0F : 1.0F;
+      q[(axis + 1) % 3] = face % 2 == 0 ? p.y : p.x;
+      q[(axis + 2) % 3] = face % 2 == 0 ? p.x : p.y;
+      glm::vec3 normal(0.0F);
+      normal[axis] = face % 2 == 0 ? -1.0F : 1.0F;
+      cube.positions.push_back(q);
+      cube.normals.push_back(normal);
+    }
+    for (const std::uint32_t index : side.indices)
+      cube.indices.push_back(first + index);
+  }
+  const WedgeMesh mesh = test::wedges(cube);
+  ASSERT_TRUE(test::isClosed(mesh));
+  const WedgeMesh level = collapsed(mesh, 12);
+  EXPECT_EQ(level.triangles(), 12U);
+  const Deviation deviation = DeviationMeter(mesh, {2000, 2000}).measure(level);
+  EXPECT_LT(deviation.twoSided.max, 1e-4);
+  EXPECT_LT(deviation.normalDegrees.mean, 0.5);
+}
+
+TEST(Refit, BringsALevelNearerAndTurnsItsNormalsRight) {
+  const WedgeMesh mesh = test::wedges(test::sphere(96, 64));
+  EdgeCollapser collapser(mesh, {});
+  collapser.collapseTo(300);
+  const WedgeMesh before = collapser.mesh();
+  WedgeMesh after = before;
+  for (glm::vec3& p : after.positions)
+    p *= 0.97F;  // a level that does not fit
+  refitLevel(mesh, collapser.vertexMap(), {}, after);
+  const DeviationMeter meter(mesh, {20000, 5000});
+  EXPECT_LE(meter.measure(after).twoSided.mean, 1.02 * meter.measure(before).twoSided.mean);
+  EXPECT_LE(meter.measure(after).normalDegrees.mean, 1.05 * meter.measure(before).normalDegrees.mean);
+  EXPECT_TRUE(test::isClosed(after));
+}
+
+TEST(HardEdges, AngleDecidesWhichEdgesAreHard) {
+  CombinedMesh box = test::combined(test::box(glm::vec3(1)));
+  rebuildNormals(box, 30.0);
+  EXPECT_EQ(makeWedges(box).vertexOf.size(), 24U);  // three normals at each corner
+  rebuildNormals(box, 120.0);
+  const WedgeMesh smooth = makeWedges(box);
+  EXPECT_EQ(smooth.vertexOf.size(), 8U);
+  for (std::uint32_t w = 0; w < 8; ++w) {
+    const glm::vec3 expected = glm::normalize(smooth.positions[smooth.vertexOf[w]]);
+    EXPECT_LT(glm::distance(smooth.vec3At(w, *smooth.slot("NORMAL")), expected), 1e-5F);
+  }
+}
+
+}  // namespace
+}  // namespace jalousie::bake
