@@ -1,0 +1,165 @@
+// bake_judge: how far meshes of any tool lie from a reference, by the same yardstick for all.
+//
+//   bake_judge REFERENCE FILE[@LOD]...      prints one JSON object per FILE
+//
+// Random points (200,000 each way, fixed seed), not the baker's own: distances as % of the reference's diagonal, mean
+// of the two one-sided means, the larger maximum, and the mean angle between interpolated shading normals in degrees.
+// Meshes are taken in object space, all meshes of the scene together; a file with MSFT_lod gives level LOD (default 0).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "asset/lod_chain.h"
+#include "bake/combined_mesh.h"
+#include "bake/import.h"
+#include "bake/surface_samples.h"
+#include "bake/triangle_bvh.h"
+#include "bake/wedge_mesh.h"
+#include "core/aabb.h"
+#include "core/error.h"
+#include "core/random.h"
+
+namespace {
+
+using namespace jalousie;
+using bake::WedgeMesh;
+
+constexpr std::size_t kSamples = 200'000;
+
+/// Appends one mesh to another; only positions and normals matter here.
+void append(WedgeMesh& whole, const WedgeMesh& part) {
+  const auto vertices = static_cast<std::uint32_t>(whole.positions.size());
+  const auto wedges = static_cast<std::uint32_t>(whole.vertexOf.size());
+  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+  const bake::AttributeSlot* normals = part.slot("NORMAL");
+  for (std::uint32_t w = 0; w < part.vertexOf.size(); ++w) {
+    whole.vertexOf.push_back(vertices + part.vertexOf[w]);
+    const glm::vec3 n = normals != nullptr ? part.vec3At(w, *normals) : glm::vec3(0.0F);
+    whole.attributes.insert(whole.attributes.end(), {n.x, n.y, n.z});
+  }
+  for (const std::uint32_t c : part.corners)
+    whole.corners.push_back(wedges + c);
+}
+
+WedgeMesh load(const std::string& name) {
+  const std::size_t at = name.rfind('@');
+  const std::string file = name.substr(0, at);
+  const std::size_t lod = at == std::string::npos ? 0 : std::stoul(name.substr(at + 1));
+  const tinygltf::Model model = bake::importFiles({file}, {});
+  std::vector<bool> isLower(model.nodes.size(), false);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
+      isLower[static_cast<std::size_t>(lower)] = true;
+  WedgeMesh whole;
+  whole.slots = {{"NORMAL", 3, 0, bake::AttributeKind::kNormal}};
+  whole.stride = 3;
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    if (isLower[n] || model.nodes[n].mesh < 0) continue;
+    int node = static_cast<int>(n);
+    if (lod > 0) {
+      const std::vector<int> lower = asset::lodNodes(model, node);
+      if (lower.size() < lod) throw Error(ErrorCode::kUsage, fmt::format("there is no level {}", lod), file);
+      node = lower[lod - 1];
+    }
+    const auto mesh = static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh);
+    append(whole, bake::makeWedges(bake::readCombinedMesh(model, model.meshes[mesh], {})));
+  }
+  if (whole.corners.empty()) throw Error(ErrorCode::kMalformed, "there is no triangle", file);
+  return whole;
+}
+
+/// Random points in proportion to area.
+std::vector<bake::SurfaceSample> randomSamples(const WedgeMesh& mesh, std::uint64_t seed) {
+  std::vector<double> cumulative(mesh.triangles());
+  double area = 0.0;
+  for (std::uint32_t t = 0; t < cumulative.size(); ++t) {
+    const glm::dvec3 a(mesh.positions[mesh.vertexAt(3 * std::size_t{t})]);
+    const glm::dvec3 b(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 1)]);
+    const glm::dvec3 c(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 2)]);
+    cumulative[t] = area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  Random random(seed);
+  std::vector<bake::SurfaceSample> samples;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double place = area * random.uniform();
+    const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), place);
+    const auto t = static_cast<std::uint32_t>(
+        std::min<std::ptrdiff_t>(found - cumulative.begin(), static_cast<std::ptrdiff_t>(cumulative.size()) - 1));
+    const float root = std::sqrt(random.uniform());
+    const float r = random.uniform();
+    samples.push_back({t, {1.0F - root, root * (1.0F - r), root * r}});
+  }
+  return samples;
+}
+
+struct Side {
+  double max = 0.0;
+  double mean = 0.0;
+  double degrees = 0.0;
+};
+
+Side judge(const WedgeMesh& from, const WedgeMesh& to, const bake::TriangleBvh& bvh, std::uint64_t seed) {
+  const std::vector<bake::SurfaceSample> samples = randomSamples(from, seed);
+  std::vector<double> distances(samples.size());
+  std::vector<double> degrees(samples.size());
+  bake::forSlices(samples.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const glm::dvec3 b(samples[i].barycentric);
+      const bake::NearestPoint nearest = bvh.nearest(bake::positionAt(from, samples[i].triangle, b));
+      const glm::dvec3 n = bake::shadingNormalAt(from, from.slots.data(), samples[i].triangle, b);
+      const glm::dvec3 m = bake::shadingNormalAt(to, to.slots.data(), nearest.triangle, nearest.barycentric);
+      distances[i] = std::sqrt(nearest.distance2);
+      degrees[i] = std::acos(std::clamp(glm::dot(n, m), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+    }
+  });
+  Side side;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    side.max = std::max(side.max, distances[i]);
+    side.mean += distances[i] / static_cast<double>(samples.size());
+    side.degrees += degrees[i] / static_cast<double>(samples.size());
+  }
+  return side;
+}
+
+void run(int argc, char** argv) {
+  const WedgeMesh reference = load(argv[1]);
+  const bake::TriangleBvh referenceBvh(reference.positions, bake::vertexIndices(reference));
+  Aabb box;
+  for (const glm::vec3& p : reference.positions)
+    box.add(p);
+  const double percent = 100.0 / box.diagonal();
+  for (int i = 2; i < argc; ++i) {
+    const WedgeMesh mesh = load(argv[i]);
+    const Side to = judge(mesh, reference, referenceBvh, 1);
+    const Side from = judge(reference, mesh, bake::TriangleBvh(mesh.positions, bake::vertexIndices(mesh)), 2);
+    const nlohmann::ordered_json json = {{"file", argv[i]},
+                                         {"triangles", mesh.triangles()},
+                                         {"mean", 0.5 * (to.mean + from.mean) * percent},
+                                         {"max", std::max(to.max, from.max) * percent},
+                                         {"normal", 0.5 * (to.degrees + from.degrees)},
+                                         {"to_max", to.max * percent},
+                                         {"from_max", from.max * percent}};
+    fmt::print("{}\n", json.dump());
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "Usage: bake_judge REFERENCE FILE[@LOD]...\n");
+    return 2;
+  }
+  try {
+    run(argc, argv);
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "bake_judge: {}\n", error.what());
+    return 1;
+  }
+}
