@@ -44,6 +44,21 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
+/// Levels move as LOD 0 does: every channel that moves its node moves theirs.
+void animateLevels(tinygltf::Model& model, int node, const std::vector<int>& levels) {
+  for (tinygltf::Animation& animation : model.animations) {
+    std::vector<tinygltf::AnimationChannel> copies;
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      if (channel.target_node != node || channel.target_path == "weights") continue;
+      for (const int level : levels) {
+        copies.push_back(channel);
+        copies.back().target_node = level;
+      }
+    }
+    animation.channels.insert(animation.channels.end(), copies.begin(), copies.end());
+  }
+}
+
 void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std::vector<int>& levelMeshes,
                const std::vector<float>& coverage) {
   if (levelMeshes.size() < 2) return;
@@ -53,6 +68,7 @@ void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std:
     for (std::size_t k = 1; k < levelMeshes.size(); ++k)
       lower.push_back(appendLevelNode(model, source, levelMeshes[k], k));
     asset::setLodChain(model, n, lower, coverage);
+    animateLevels(model, n, lower);
   }
 }
 

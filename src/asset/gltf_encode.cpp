@@ -173,8 +173,11 @@ json modelJson(const Model& model) {
   return json::parse(stream.str());
 }
 
-/// tinygltf writes null for empty objects and arrays, and zfar 0 for an infinite projection.
-void mendJson(json& document) {
+/// tinygltf writes null for empty objects and arrays, and zfar 0 for an infinite projection; it leaves out the names of
+/// samplers.
+void mendJson(json& document, const Model& model) {
+  for (std::size_t i = 0; i < model.samplers.size(); ++i)
+    if (!model.samplers[i].name.empty()) document["samplers"][i]["name"] = model.samplers[i].name;
   for (const char* key : {"scenes", "nodes", "textures", "skins"}) {
     if (!document.contains(key)) continue;
     for (json& entry : document[key]) {
@@ -238,7 +241,7 @@ std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) {
       model.buffers.empty() ? std::vector<unsigned char>{} : std::move(model.buffers[0].data);
   model.buffers.clear();
   json document = modelJson(model);
-  mendJson(document);
+  mendJson(document, model);
   if (!binary.empty()) document["buffers"] = json::array({json::object({{"byteLength", binary.size()}})});
   if (options.compress) detail::encodeMeshoptViews(document, binary);
   return assemble(document.dump(), std::as_bytes(std::span(binary)));

@@ -237,6 +237,12 @@ void moveMeshIntoChild(tinygltf::Model& model, int index, const Grid& grid) {
   }
   for (const int n : lower)
     place(model.nodes[static_cast<std::size_t>(n)]);
+  // The parent moves them now; a channel of their own would take the grid's transform away.
+  for (tinygltf::Animation& animation : model.animations) {
+    std::erase_if(animation.channels, [&](const tinygltf::AnimationChannel& channel) {
+      return std::find(lower.begin(), lower.end(), channel.target_node) != lower.end();
+    });
+  }
   std::vector<float> levels = coverage;
   levels.resize(lower.size() + 1, 0.0F);
   setLodChain(model, childIndex, lower, levels);

@@ -180,5 +180,18 @@ TEST(GltfFile, RelativePathWithoutFolderLoads) {
   std::filesystem::current_path(before);
 }
 
+TEST(GltfFile, NamesOfSamplersSurvive) {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.samplers.resize(2);
+  model.samplers[1].name = "nearest";
+  const test::TempFolder folder;
+  saveGlb(model, folder / "file.glb");
+  const tinygltf::Model read = loadGltf(folder / "file.glb");
+  ASSERT_EQ(read.samplers.size(), 2U);
+  EXPECT_EQ(read.samplers[0].name, "");
+  EXPECT_EQ(read.samplers[1].name, "nearest");
+}
+
 }  // namespace
 }  // namespace jalousie::asset

@@ -86,6 +86,24 @@ TEST(BakeDocument, SharedMeshIsBakedOnceAndEveryNodeGetsItsChain) {
   EXPECT_EQ(asset::lodCoverage(model.nodes[1]).size(), 5U);
 }
 
+TEST(BakeDocument, LevelsOfAnAnimatedNodeMoveWithIt) {
+  tinygltf::Model model = document();
+  tinygltf::Animation animation;
+  animation.samplers.resize(1);
+  animation.samplers[0].input = asset::appendScalars(model, std::vector<float>{0.0F, 1.0F}, 0);
+  animation.samplers[0].output = asset::appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 1}}, 0);
+  animation.channels.resize(1);
+  animation.channels[0].sampler = 0;
+  animation.channels[0].target_node = 1;
+  animation.channels[0].target_path = "translation";
+  model.animations = {animation};
+  bakeIt(model);
+  const std::vector<int> lower = asset::lodNodes(model, 1);
+  ASSERT_EQ(model.animations[0].channels.size(), 1 + lower.size());
+  for (std::size_t k = 0; k < lower.size(); ++k)
+    EXPECT_EQ(model.animations[0].channels[k + 1].target_node, lower[k]);
+}
+
 TEST(BakeDocument, MaterialsHierarchyAndNamesSurviveTheRoundTrip) {
   tinygltf::Model model = document();
   bakeIt(model);
