@@ -90,6 +90,36 @@ TEST_P(EveryPreset, OpenNonManifoldAndTinyMeshesKeepTheLaws) {
   EXPECT_FALSE(single.stopReason.empty());
 }
 
+/// Random triangles on few points: every edge may be non-manifold, triangles overlap, some vertices share positions.
+asset::Primitive soup(Random& random, std::uint32_t triangles, std::uint32_t points) {
+  asset::Primitive mesh;
+  for (std::uint32_t v = 0; v < points; ++v) {
+    const bool same = v > 0 && random.below(4) == 0;
+    mesh.positions.push_back(same ? mesh.positions[random.below(v)]
+                                  : glm::vec3(random.uniform(), random.uniform(), 0.1F * random.uniform()));
+    mesh.normals.push_back(glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), 1.1F)));
+    mesh.uvs.emplace_back(random.uniform(), random.uniform());
+  }
+  for (std::uint32_t t = 0; t < triangles; ++t)
+    for (int k = 0; k < 3; ++k)
+      mesh.indices.push_back(random.below(points));
+  return mesh;
+}
+
+TEST_P(EveryPreset, TriangleSoupsKeepTheLaws) {
+  Random random(17);
+  for (int i = 0; i < 30; ++i) {
+    CombinedMesh mesh = test::combinedTextured(soup(random, 20 + random.below(400), 6 + random.below(150)));
+    cleanMesh(mesh);
+    if (mesh.indices.empty()) continue;
+    ChainOptions options = quickOptions(GetParam());
+    options.samples = 200;
+    options.untilError = 1e9;
+    options.collapse.lockBorder = i % 3 == 0;
+    expectLaws(makeChain(makeWedges(mesh), options));
+  }
+}
+
 TEST(Chain, BestIsNearerThanDraftInDistanceAndNormals) {
   // A bumpy sphere: curvature everywhere, so that the order of collapses matters.
   asset::Primitive bumpy = test::sphere(96, 64);
