@@ -1,26 +1,32 @@
-// Draw commands of one object: one in each list, with instance count 0 where it has nothing to draw there.
-// CPU twin: src/visibility/commands_reference.cpp
+// What one bin of one chain draws. CPU twin: src/visibility/draw_lists_reference.cpp
 
-void writeCommand(uint list, uint id, uint count, uint firstIndex, int baseVertex) {
-  commands[list * cullView.objectCount + id] = DrawCommand(count, count > 0u ? 1u : 0u, firstIndex, baseVertex, id);
-}
+layout(std430, binding = kBindingCommands) writeonly buffer CommandBlock { DrawCommand commands[]; };
+
+/// A range of indices for each of the three lists of a detail path.
+struct Ranges {
+  uint firstIndex[3];
+  uint count[3];
+  int baseVertex;
+  uint firstList;  // kListSolid or kListSolidPatch
+};
 
 /// Solid triangles of a mirrored object would be culled by their winding, so they go to the sheet list.
-void writeRange(uint solidList, uint sheetList, uint id, Lod lod, bool mirrored, bool drawn) {
-  uint solid = drawn && !mirrored ? lod.solidCount : 0u;
-  uint sheet = !drawn ? 0u : mirrored ? lod.solidCount + lod.sheetCount : lod.sheetCount;
-  writeCommand(solidList, id, solid, lod.firstIndex, lod.baseVertex);
-  writeCommand(sheetList, id, sheet, lod.firstIndex + (mirrored ? 0u : lod.solidCount), lod.baseVertex);
-}
-
-void writeCommands(uint id, Object object, Chain chain, bool drawn, uint lodIndex, uint tessellation) {
-  bool mirrored = (object.flags & kObjectMirrored) != 0u;
-  if (cullView.detail == kDetailDiscrete) {
-    writeRange(kListSolid, kListSheet, id, lods[chain.firstLod + lodIndex], mirrored, drawn);
-    return;
-  }
-  Lod base = lods[chain.patchLod];
-  // Level 1 leaves the triangles as they are: the plain program draws them several times faster.
-  writeRange(kListSolid, kListSheet, id, base, mirrored, drawn && tessellation == 1u);
-  writeRange(kListSolidPatch, kListSheetPatch, id, base, mirrored, drawn && tessellation > 1u);
+Ranges rangesOf(Chain chain, uint bin, uint detail) {
+  uint level = bin >> 1u;
+  bool mirrored = (bin & 1u) != 0u;
+  bool patches = detail == kDetailTessellation;
+  Ranges ranges;
+  ranges.firstList = patches && level > 0u ? kListSolidPatch : kListSolid;
+  bool exists = patches ? level < 2u : level < chain.lodCount;
+  Lod lod = lods[patches ? chain.patchLod : chain.firstLod + min(level, chain.lodCount - 1u)];
+  uint solid = exists ? lod.solidCount : 0u;
+  uint sheet = exists ? lod.sheetCount : 0u;
+  ranges.baseVertex = lod.baseVertex;
+  ranges.firstIndex[0] = lod.firstIndex;
+  ranges.count[0] = mirrored ? 0u : solid;
+  ranges.firstIndex[1] = lod.firstIndex + (mirrored ? 0u : solid);
+  ranges.count[1] = mirrored ? solid + sheet : sheet;
+  ranges.firstIndex[2] = lod.firstIndex + lod.solidCount + lod.sheetCount;
+  ranges.count[2] = exists ? lod.blendCount : 0u;
+  return ranges;
 }

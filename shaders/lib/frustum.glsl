@@ -1,43 +1,76 @@
-// Frustum test, screen rectangle and occluder distance of one box (thesis 3.2, 3.4, 4.1.2).
+// Frustum test, screen rectangle, nearest depth and size of one box (thesis 3.2, 3.4, 4.1.2; docs/two_phase_culling.md).
 // CPU twin: src/visibility/classify_reference.cpp
+//
+// Everything is rounded outwards: the vertex stage computes the same sums from other corners of the box, and neither may
+// be off by more than kRounding times the sum of the magnitudes that went in.
 
 struct BoxOnScreen {
   bool outside;       // every corner lies beyond one plane of the clip volume
-  bool crossesNear;   // some corner has w <= 0: no finite rectangle
+  bool crossesNear;   // some corner is not safely beyond the near plane: no finite rectangle
   vec4 rect;          // min.xy, max.xy in pixels, clipped to the viewport; valid unless outside or crossesNear
+  float nearestDepth; // upper bound of the window depth; valid unless crossesNear
   vec3 minWorld;      // axis-aligned world box of the transformed corners
   vec3 maxWorld;
+  vec3 centerWorld;   // bounding sphere
+  float radiusWorld;
 };
+
+const float kRounding = 1.0 / 1048576.0;   // 2^-20: two affine sums of four products each, on both sides
+const float kDepthSlack = 1.0 / 16384.0;   // share of the depth for what rasterisers lose when they interpolate it
 
 vec3 boxCorner(vec3 lower, vec3 upper, uint corner) {
   return vec3((corner & 1u) != 0u ? upper.x : lower.x, (corner & 2u) != 0u ? upper.y : lower.y,
               (corner & 4u) != 0u ? upper.z : lower.z);
 }
 
+/// Largest error of a clip-space component of any point of the box.
+vec4 clipRounding(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld) {
+  vec4 reach = vec4(max(abs(lower), abs(upper)), 1.0);
+  vec3 world = vec3(dot(abs(t.worldFromObject0), reach), dot(abs(t.worldFromObject1), reach),
+                    dot(abs(t.worldFromObject2), reach));
+  return kRounding * (abs(clipFromWorld[0]) * world.x + abs(clipFromWorld[1]) * world.y +
+                      abs(clipFromWorld[2]) * world.z + abs(clipFromWorld[3]));
+}
+
 /// Clip space is that of CullView: -w <= x, y <= w and 0 <= z <= w.
-BoxOnScreen boxOnScreen(vec4 row0, vec4 row1, vec4 row2, vec3 lower, vec3 upper, mat4 clipFromWorld, vec2 viewport) {
+BoxOnScreen boxOnScreen(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld, vec2 viewport) {
+  const float kInfinity = uintBitsToFloat(0x7f800000u);
   BoxOnScreen result;
-  result.minWorld = vec3(uintBitsToFloat(0x7f800000u));
-  result.maxWorld = -result.minWorld;
-  vec2 lowest = result.minWorld.xy;
-  vec2 highest = result.maxWorld.xy;
-  float smallestW = uintBitsToFloat(0x7f800000u);
+  result.minWorld = vec3(kInfinity);
+  result.maxWorld = vec3(-kInfinity);
+  result.centerWorld = transformPoint(t, 0.5 * (lower + upper));
+  result.radiusWorld = 0.0;
+  result.crossesNear = false;
+  result.nearestDepth = 0.0;
+  vec2 lowest = vec2(kInfinity);
+  vec2 highest = vec2(-kInfinity);
   uint beyondAll = 63u;
+  vec4 error = clipRounding(t, lower, upper, clipFromWorld);
+  vec3 margin = error.xyz + error.w;
   for (uint corner = 0u; corner < 8u; ++corner) {
-    vec3 world = transformPoint(row0, row1, row2, boxCorner(lower, upper, corner));
+    vec3 world = transformPoint(t, boxCorner(lower, upper, corner));
     result.minWorld = min(result.minWorld, world);
     result.maxWorld = max(result.maxWorld, world);
+    result.radiusWorld = max(result.radiusWorld, distance(world, result.centerWorld));
     vec4 clip = clipFromWorld * vec4(world, 1.0);
-    uint beyond = (clip.x < -clip.w ? 1u : 0u) | (clip.x > clip.w ? 2u : 0u) | (clip.y < -clip.w ? 4u : 0u) |
-                  (clip.y > clip.w ? 8u : 0u) | (clip.z < 0.0 ? 16u : 0u) | (clip.z > clip.w ? 32u : 0u);
+    uint beyond = (clip.x < -clip.w - margin.x ? 1u : 0u) | (clip.x > clip.w + margin.x ? 2u : 0u) |
+                  (clip.y < -clip.w - margin.y ? 4u : 0u) | (clip.y > clip.w + margin.y ? 8u : 0u) |
+                  (clip.z < -margin.z ? 16u : 0u) | (clip.z > clip.w + margin.z ? 32u : 0u);
     beyondAll &= beyond;
-    smallestW = min(smallestW, clip.w);
-    vec2 pixels = (clip.xy / clip.w * 0.5 + 0.5) * viewport;
-    lowest = min(lowest, pixels);
-    highest = max(highest, pixels);
+    float w = clip.w - error.w;
+    if (!(w > 0.0 && clip.z + margin.z < clip.w)) {
+      result.crossesNear = true;
+      continue;
+    }
+    vec2 ndc = clip.xy / clip.w;
+    vec2 guard = (error.xy + abs(ndc) * error.w) / w * 0.5 * viewport;
+    vec2 pixels = (ndc * 0.5 + 0.5) * viewport;
+    lowest = min(lowest, pixels - guard);
+    highest = max(highest, pixels + guard);
+    result.nearestDepth = max(result.nearestDepth, (clip.z + error.z) / w);
   }
+  result.nearestDepth *= 1.0 + kDepthSlack;
   result.outside = beyondAll != 0u;
-  result.crossesNear = !(smallestW > 0.0);
   result.rect = vec4(clamp(lowest, vec2(0.0), viewport), clamp(highest, vec2(0.0), viewport));
   return result;
 }
@@ -45,4 +78,14 @@ BoxOnScreen boxOnScreen(vec4 row0, vec4 row1, vec4 row2, vec3 lower, vec3 upper,
 /// Distance from a point to the closest point of a box; 0 inside.
 float distanceToBox(vec3 point, vec3 lower, vec3 upper) {
   return length(max(max(lower - point, point - upper), vec3(0.0)));
+}
+
+/// Upper bound of how much a transform stretches a length: exact where the axes stay orthogonal, and never too small
+/// under shear (the largest row sum of the Gram matrix bounds its largest eigenvalue).
+float largestScale(Transform t) {
+  vec3 x = vec3(t.worldFromObject0.x, t.worldFromObject1.x, t.worldFromObject2.x);
+  vec3 y = vec3(t.worldFromObject0.y, t.worldFromObject1.y, t.worldFromObject2.y);
+  vec3 z = vec3(t.worldFromObject0.z, t.worldFromObject1.z, t.worldFromObject2.z);
+  float xy = abs(dot(x, y)), xz = abs(dot(x, z)), yz = abs(dot(y, z));
+  return sqrt(max(max(dot(x, x) + xy + xz, dot(y, y) + xy + yz), dot(z, z) + xz + yz));
 }

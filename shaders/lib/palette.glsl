@@ -6,6 +6,12 @@ vec3 lodColor(bool occluder, float coarseness) {
   return mix(vec3(0.005, 0.02, 0.35), vec3(0.55, 0.85, 1.0), coarseness);
 }
 
+/// Grey = drawn before the test and visible, orange = only after it, red = before it though hidden now. Linear RGB.
+vec3 phaseColor(uint verdict, uint mark) {
+  if (verdict == kVerdictStale) return vec3(0.75, 0.03, 0.03);
+  return (mark & kMarkEarly) != 0u ? vec3(0.32, 0.36, 0.40) : vec3(0.95, 0.38, 0.02);
+}
+
 /// Heat scale for t in [0, 1], dark blue over green to yellow: a cubic fit of a perceptually even ramp. Linear RGB.
 vec3 heatColor(float t) {
   vec3 low = vec3(0.06, 0.01, 0.14), mid = vec3(0.02, 0.27, 0.26), high = vec3(0.98, 0.80, 0.05);

@@ -18,8 +18,10 @@ float ditherThreshold(uvec2 pixel) {
   return (float(rank) + 0.5) / 16.0;
 }
 
-/// Whether alpha leaves a hole here.
-bool isHole(Material material, float alpha, uvec2 pixel) {
+/// Whether nothing is drawn here: the back of a single-sided surface, or a hole that alpha leaves.
+/// @param front  as the rasteriser says   @param mirrored  the object's transform turns fronts into backs
+bool isHole(Material material, bool front, bool mirrored, float alpha, uvec2 pixel) {
+  if (front == mirrored && (material.flags & kMaterialDoubleSided) == 0u) return true;
   if ((material.flags & kMaterialMask) != 0u) return alpha < material.alphaCutoff;
   if ((material.flags & kMaterialBlend) != 0u) return alpha < ditherThreshold(pixel);
   return false;

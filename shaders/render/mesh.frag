@@ -1,5 +1,5 @@
 // Shades a fragment, or paints the debug view.
-// JAL_SHEET: double-sided and masked surfaces and mirrored objects, whose facing and holes are decided here.
+// JAL_SHEET: double-sided, masked and blended surfaces and mirrored objects, whose facing and holes are decided here.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
@@ -9,13 +9,7 @@
 #include "lib/shading.glsl"
 
 in Fragment {
-  vec3 positionWorld;
-  vec3 normalWorld;
-  vec2 uv;
-  vec4 color;
-  flat vec3 tint;
-  flat uint material;
-  flat uint mirrored;
+#include "lib/fragment_members.glsl"
 } fragment;
 
 layout(location = 0) out vec4 frameColor;
@@ -25,10 +19,9 @@ void main() {
   vec4 base = baseColor(material, fragment.color, fragment.uv);
   vec3 normal = normalize(fragment.normalWorld);
 #ifdef JAL_SHEET
-  bool front = gl_FrontFacing == (fragment.mirrored == 0u);
-  if (!front && (material.flags & kMaterialDoubleSided) == 0u) discard;
-  if (isHole(material, base.a, uvec2(gl_FragCoord.xy))) discard;
-  if (!front) normal = -normal;
+  bool mirrored = fragment.mirrored != 0u;
+  if (isHole(material, gl_FrontFacing, mirrored, base.a, uvec2(gl_FragCoord.xy))) discard;
+  if (gl_FrontFacing == mirrored) normal = -normal;
 #endif
   vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
   vec3 color = drawView.view == kViewShaded ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)

@@ -1,6 +1,9 @@
 // Plain path: one vertex of one object, straight to the fragments.
-// JAL_OPACITY: for the occlusion map. JAL_SHEET: double-sided and masked surfaces.
+// JAL_SHADED, JAL_OPACITY, JAL_ID: what the fragments become. JAL_SHEET: double-sided, masked and blended surfaces.
 #version 450 core
+#ifdef JAL_DRAW_PARAMETERS
+#extension GL_ARB_shader_draw_parameters : require
+#endif
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
@@ -14,6 +17,6 @@ layout(location = kAttributeNormal) in vec4 normal;
 layout(location = kAttributeUv) in vec2 uv;
 layout(location = kAttributeColor) in vec4 color;
 layout(location = kAttributeMaterial) in uint material;
-layout(location = kAttributeObject) in uint objectId;  // per instance, from baseInstance
+#include "lib/object_id.glsl"
 
-void main() { emitVertex(objectId, position, normal.xyz, uv, color, material); }
+void main() { emitVertex(objectOfInstance(), position, normal.xyz, uv, color, material); }

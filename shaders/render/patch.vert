@@ -1,5 +1,8 @@
 // Patch path: hands the base mesh's corners to the tessellator in object space.
 #version 450 core
+#ifdef JAL_DRAW_PARAMETERS
+#extension GL_ARB_shader_draw_parameters : require
+#endif
 #include "shared/limits.h"
 
 layout(location = kAttributePosition) in vec3 position;
@@ -7,7 +10,7 @@ layout(location = kAttributeNormal) in vec4 normal;
 layout(location = kAttributeUv) in vec2 uv;
 layout(location = kAttributeColor) in vec4 color;
 layout(location = kAttributeMaterial) in uint material;
-layout(location = kAttributeObject) in uint objectId;
+#include "lib/object_id.glsl"
 
 out Corner {
   vec3 position;
@@ -24,6 +27,6 @@ void main() {
   corner.uv = uv;
   corner.color = color;
   corner.material = material;
-  corner.objectId = objectId;
+  corner.objectId = objectOfInstance();
   gl_Position = vec4(position, 1.0);
 }

@@ -6,12 +6,15 @@
 
 JAL_SHARED_BEGIN
 
-const uint kCullNone = 0u;     // every object is drawn
+const uint kCullNone = 0u;      // every object is drawn
 const uint kCullFrustum = 1u;
-const uint kCullHom = 2u;      // hierarchical occlusion map (Zhang 1997; thesis ch. 3)
+const uint kCullHom = 2u;       // hierarchical occlusion map (Zhang 1997; thesis ch. 3)
+const uint kCullHomDepth = 3u;  // the same map, where a texel covers only what lies behind it
+const uint kCullHiz = 4u;       // two phases against the depth of what was visible last frame
 
 const uint kLodFinest = 0u;
-const uint kLodLinear = 1u;    // thesis 4.1.3: LV mapped linearly onto the levels
+const uint kLodLinear = 1u;      // thesis 4.1.3: LV mapped linearly onto the levels
+const uint kLodPixelError = 2u;  // coarsest level whose error projects below tau
 
 const uint kDetailDiscrete = 0u;
 const uint kDetailTessellation = 1u;
@@ -19,7 +22,7 @@ const uint kDetailTessellation = 1u;
 /// Culling camera and policy; std140 uniform block.
 struct CullView {
   mat4 clipFromWorld;      // reversed depth: near plane at z = w, far plane at z = 0
-  vec4 cameraWorld;        // xyz position
+  vec4 cameraWorld;        // xyz position, w distance of the near plane
   uint viewportWidth;      // pixels
   uint viewportHeight;
   uint objectCount;
@@ -27,18 +30,49 @@ struct CullView {
   uint lodRule;            // kLod...
   uint detail;             // kDetail...
   uint analyse;            // 1: LV is wanted even where the LOD rule does not need it
-  uint mapLevels;          // levels of the occlusion map
+  uint mapLevels;          // levels of the occlusion map and, counted from the screen, of the depth pyramid
   float occluderDistance;  // world units; nearer objects are occluders (thesis 3.2)
   float cullThreshold;     // opacity from which a texel hides, (0, 1]; 1 is conservative
   uint maxTessellation;    // finest level of the patch path, 1..kMaxTessellationLevel
+  float focalPixels;       // viewportHeight / (2 tan(fovY / 2))
+  float tau;               // pixels of error that kLodPixelError allows
+  float occluderTau;       // the same for the levels drawn into the occlusion map
+  float minPixels;         // objects whose rectangle has a smaller area are not drawn; 0: none
+  uint importanceLevels;   // levels of the importance mask; 0: no mask
+  uint importanceWidth;    // texels of its finest level
+  uint importanceHeight;
+  uint reserved0;
+  uint reserved1;
+};
+JAL_ASSERT_SIZE(CullView, 160)
+
+/// One draw list; std140 uniform block, written once.
+struct ListView {
+  uint phase;              // kMarkEarly or kMarkLate
+  uint tileCount;
+  uint binCount;
+  uint entryCount;         // length of the array that the prefix sum runs over: all counts and a zero
+  uint capacity;           // most instances the list holds
+  uint commandCapacity;    // commands per list: one per bin, or one per instance
+  uint patches;            // 1: the lists of patches exist
   uint reserved0;
 };
-JAL_ASSERT_SIZE(CullView, 128)
+JAL_ASSERT_SIZE(ListView, 32)
+
+/// One reduction step of the depth pyramid; std140 uniform block, one slice per level, written once.
+struct ReduceView {
+  uint screenWidth;
+  uint screenHeight;
+  uint sourceLevel;        // of the source texture
+  uint reserved0;
+};
+JAL_ASSERT_SIZE(ReduceView, 16)
 
 const uint kViewShaded = 0u;
 const uint kViewLod = 1u;
 const uint kViewLv = 2u;
 const uint kViewOcclusion = 3u;
+const uint kViewPhase = 4u;  // which phase drew it
 
 /// Drawing camera; std140 uniform block.
 struct DrawView {
@@ -52,11 +86,11 @@ struct DrawView {
   uint viewportWidth;
   uint viewportHeight;
   uint maxTessellation;    // as in CullView; scales the colours of kViewLod
-  uint reserved0;
+  float depthGuard;        // share of its distance by which the occlusion pass moves a surface away from the eye
 };
 JAL_ASSERT_SIZE(DrawView, 128)
 
-// Verdicts. Order matters: kVerdictOutside and kVerdictOccluded are the only ones that are not drawn.
+// Verdicts. kVerdictOutside, kVerdictOccluded and kVerdictSmall are not drawn, all others are.
 const uint kVerdictOutside = 0u;    // outside the frustum
 const uint kVerdictOccluded = 1u;   // hidden by the occlusion map
 const uint kVerdictOccluder = 2u;   // near enough to be drawn into the map
@@ -64,7 +98,15 @@ const uint kVerdictNear = 3u;       // crosses the near plane: no finite AABR, v
 const uint kVerdictOpen = 4u;       // an occludee with nothing in front of it
 const uint kVerdictPartial = 5u;    // partly covered: LV was computed
 const uint kVerdictPending = 6u;    // an occludee before the overlap test; also the final state without a map
-const uint kVerdictCount = 7u;
+const uint kVerdictSmall = 7u;      // covers fewer pixels than the contribution threshold
+const uint kVerdictStale = 8u;      // drawn because it was visible last frame; hidden now
+const uint kVerdictCount = 9u;
+
+// Marks: what is kept of an object from frame to frame, and in which phase it is drawn.
+const uint kMarkVisible = 1u;   // passed the last visibility test
+const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into the frame before the test
+const uint kMarkLate = 4u;      // into the frame after the test
+const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
 
 /// What the kernels decided for one object.
 struct ObjectState {
@@ -75,14 +117,18 @@ struct ObjectState {
 };
 JAL_ASSERT_SIZE(ObjectState, 16)
 
-/// Screen rectangle of an occludee, clipped to the viewport, in pixels, origin at the lower left.
-struct ScreenRect {
-  float minX;
+/// Where an object is on the screen and how large it is there.
+struct ScreenBox {
+  float minX;              // rectangle clipped to the viewport, pixels, origin at the lower left
   float minY;
   float maxX;
   float maxY;
+  float nearestDepth;      // upper bound of the window depth of any of its points; larger is nearer
+  float pixelsPerUnit;     // upper bound of pixels per object-space unit of error
+  float tau;               // error it may show, pixels: the view's, divided by the importance of its place
+  float reserved0;
 };
-JAL_ASSERT_SIZE(ScreenRect, 16)
+JAL_ASSERT_SIZE(ScreenBox, 32)
 
 JAL_SHARED_END
 

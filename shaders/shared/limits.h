@@ -6,8 +6,14 @@
 
 JAL_SHARED_BEGIN
 
-/// Threads per workgroup of the kernels that handle one object per thread.
+/// Threads per workgroup of the kernels that handle one object per thread; also the objects of one tile.
 const uint kObjectGroupSize = 64u;
+/// Threads per workgroup of the prefix sum, and the entries each of them adds up.
+const uint kScanGroupSize = 256u;
+const uint kScanEntriesPerThread = 4u;
+const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
+/// Most blocks one prefix sum can have: their totals are summed by one workgroup. 2^20 entries.
+const uint kMaxScanBlocks = 1024u;
 /// Side of the square workgroup of the kernels that handle one texel per thread.
 const uint kTexelGroupSide = 8u;
 
@@ -20,35 +26,75 @@ const uint kMinSpectrumSide = 4u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).
 const uint kMaxDescent = 2u;
 
+/// A slot holds an object's bin in its low bits and its rank among the tile's objects of that bin above them.
+const uint kSlotBinBits = 8u;
+const uint kNoBin = 0xffffffffu;
+
 /// Finest tessellation level (thesis 4.1.3). A patch then has 3 * 20^2 / 2 = 600 triangles.
 const uint kMaxTessellationLevel = 20u;
 /// Most levels one chain may have. State and colour scales assume no more.
 const uint kMaxLods = 32u;
+/// Bins of a chain: per level, plain and mirrored instances.
+const uint kMaxBinsPerChain = 64u;
 
-// Draw lists: one command per object in each, one multi-draw-indirect call per list.
+// Draw lists, one multi-draw-indirect call each.
 const uint kListSolid = 0u;       // single-sided opaque triangles, back faces culled by the rasteriser
 const uint kListSheet = 1u;       // double-sided or masked triangles, and mirrored objects: facing decided per fragment
-const uint kListSolidPatch = 2u;  // the same two, drawn as tessellated patches
-const uint kListSheetPatch = 3u;
-const uint kListCount = 4u;
+const uint kListBlend = 2u;       // blended triangles: drawn last, never occlude
+const uint kListSolidPatch = 3u;  // the same three, drawn as tessellated patches
+const uint kListSheetPatch = 4u;
+const uint kListBlendPatch = 5u;
+const uint kListCount = 6u;
+const uint kListsPerDetail = 3u;
+// Behind the command counts of the lists, in the same buffer of draw counts.
+const uint kCountInstances = 6u;  // entries of the instance list
+const uint kCountDropped = 7u;    // instances that found no room in it
+const uint kDrawCounts = 8u;
 
-// Shader storage bindings.
-const uint kBindingObjects = 0u;
-const uint kBindingChains = 1u;
-const uint kBindingLods = 2u;
-const uint kBindingStates = 3u;
-const uint kBindingRects = 4u;
-const uint kBindingCommands = 5u;
-const uint kBindingMaterials = 6u;
+// Frame counters (count_states.comp).
+const uint kCounterVerdicts = 0u;    // [kVerdictCount]
+const uint kCounterLevels = 16u;     // [kMaxLods] drawn objects per LOD, or per tessellation level - 1
+const uint kCounterTriangles = 48u;  // [4] sums of bits 0-9, 10-19, 20-29, 30-31 of the drawn triangles per object
+const uint kCounterEarly = 52u;      // objects drawn in the first phase
+const uint kCounterLate = 53u;       // and in the second
+const uint kCounterCount = 54u;
+
+// Shader storage bindings; core OpenGL promises eight, so kernels that never share a dispatch share numbers.
+const uint kBindingTransforms = 0u;
+const uint kBindingObjects = 1u;
+const uint kBindingChains = 2u;
+const uint kBindingLods = 3u;
+const uint kBindingStates = 4u;
+const uint kBindingBoxes = 5u;
+const uint kBindingMarks = 6u;
 const uint kBindingCosines = 7u;
+// Kernels that build the draw lists.
+const uint kBindingTiles = 0u;
+const uint kBindingBins = 0u;
+const uint kBindingSlots = 1u;
+const uint kBindingDrawCounts = 1u;
+const uint kBindingInstances = 4u;
+const uint kBindingCommands = 5u;
+const uint kBindingBlockSums = 6u;
+const uint kBindingEntries = 7u;
+// Counting.
+const uint kBindingCounters = 0u;
+// Drawing programs.
+const uint kBindingDrawInstances = 5u;
+const uint kBindingMaterials = 7u;
 
 // Uniform buffer bindings.
 const uint kBindingCullView = 0u;
 const uint kBindingDrawView = 1u;
+const uint kBindingListView = 2u;
+const uint kBindingReduceView = 3u;
 
 // Texture and image units.
 const uint kUnitBaseColor = 0u;
 const uint kUnitOcclusionMap = 1u;
+const uint kUnitDepthPyramid = 2u;
+const uint kUnitDepth = 3u;
+const uint kUnitImportance = 4u;
 const uint kImageSource = 0u;
 const uint kImageTarget = 1u;
 

@@ -6,19 +6,20 @@
 
 JAL_SHARED_BEGIN
 
-const uint kObjectMirrored = 1u;  // the transform has a negative determinant: front faces wind clockwise
-
-/// One instance of a chain.
-struct Object {
-  vec4 worldFromObject0;  // rows of the 3x4 affine transform, world units
+/// Where an object is: rows of the 3x4 affine transform, world units. The application may rewrite these every frame.
+struct Transform {
+  vec4 worldFromObject0;
   vec4 worldFromObject1;
   vec4 worldFromObject2;
-  uint chain;             // index into chains
-  uint flags;             // kObject...
-  uint reserved0;
-  uint reserved1;
 };
-JAL_ASSERT_SIZE(Object, 64)
+JAL_ASSERT_SIZE(Transform, 48)
+
+/// What an object is. Objects are sorted by chain, so that instances of one level lie side by side.
+struct Object {
+  uint chain;             // index into chains
+  uint instance;          // index of the object in the file's order
+};
+JAL_ASSERT_SIZE(Object, 8)
 
 /// One LOD chain. Its box bounds every level, and the tessellated surface where that path is in use.
 struct Chain {
@@ -27,20 +28,41 @@ struct Chain {
   uint firstLod;          // index into lods of LOD 0
   uint lodCount;          // >= 1
   uint patchLod;          // index into lods of the base mesh for tessellation
+  uint binCount;          // 2 per level: plain and mirrored; at least 4 where there is a patch base
+  uint firstEntry;        // of the chain's counts, [binCount][tileCount] in the array that the prefix sum runs over
+  uint tileCount;
   uint reserved0;
+  uint reserved1;
 };
-JAL_ASSERT_SIZE(Chain, 48)
+JAL_ASSERT_SIZE(Chain, 64)
 
-/// One level: a range of the scene's index buffer, solid triangles first.
+/// Up to kObjectGroupSize consecutive objects of one chain.
+struct Tile {
+  uint firstObject;
+  uint objectCount;       // 1..kObjectGroupSize
+  uint chain;
+  uint tileOfChain;       // 0 for the chain's first tile
+};
+JAL_ASSERT_SIZE(Tile, 16)
+
+/// One bin of one chain: what one instanced command draws.
+struct Bin {
+  uint chain;
+  uint bin;               // 2 * level + mirrored; with tessellation level 0 is the plain base, level 1 its patches
+};
+JAL_ASSERT_SIZE(Bin, 8)
+
+/// One level: a range of the scene's index buffer: solid triangles, then sheets, then blended ones.
 struct Lod {
   uint firstIndex;
   uint solidCount;        // indices of single-sided opaque triangles
-  uint sheetCount;        // indices of double-sided, masked or blended triangles, right behind
+  uint sheetCount;        // indices of double-sided or masked triangles
+  uint blendCount;        // indices of blended triangles
   int baseVertex;
-  float errorObject;      // deviation from LOD 0, object-space length
-  uint triangleCount;     // (solidCount + sheetCount) / 3
+  uint triangleCount;     // (solidCount + sheetCount + blendCount) / 3
+  float errorObject;      // deviation from LOD 0, object-space length; of a patch base: its flat triangles from its
+                          // own curved surface. Infinite where unknown
   uint reserved0;
-  uint reserved1;
 };
 JAL_ASSERT_SIZE(Lod, 32)
 
@@ -64,7 +86,7 @@ struct DrawCommand {
   uint instanceCount;
   uint firstIndex;
   int baseVertex;
-  uint baseInstance;      // the object's index: an instanced attribute turns it into the object id
+  uint baseInstance;      // first entry of the instance list, which holds object ids
 };
 JAL_ASSERT_SIZE(DrawCommand, 20)
 

@@ -1,7 +1,9 @@
-// Overlap test and frequency analysis of the occludees against the occlusion map (thesis 3.4, 3.5, Algorithm 3.1).
+// Overlap test and frequency analysis of the occludees (thesis 3.4, 3.5, Algorithm 3.1; docs/two_phase_culling.md).
 //
-// One thread: one object (one workgroup per object measured several times slower). Reads rects and the map.
-// Writes states (verdict, lv). Barrier owed: SHADER_STORAGE for emit_commands.comp.
+// What hides is (default) the opacity of the occlusion map, JAL_HOM_DEPTH: the same where the occluders lie in front of
+// the object, JAL_HIZ: a depth pyramid, where a texel covers if its farthest depth lies in front of the object.
+// One thread: one object (one workgroup per object measured several times slower). Reads boxes and the map.
+// Writes states, marks. Barrier owed: SHADER_STORAGE for bin_objects.comp.
 // CPU twin: src/visibility/overlap_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -10,45 +12,66 @@
 #include "lib/buffers.glsl"
 #include "lib/overlap.glsl"
 #include "lib/dct.glsl"
+#include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
-layout(binding = kUnitOcclusionMap) uniform sampler2D occlusionMap;
 /// cosines[16 * (N - 1) + i] = cos(pi (2i + 1) / 2N)
 layout(std430, binding = kBindingCosines) readonly buffer CosineBlock { float cosines[]; };
 
+#ifndef JAL_HIZ
+layout(binding = kUnitOcclusionMap) uniform sampler2D occlusionMap;
+#endif
+#if defined(JAL_HIZ) || defined(JAL_HOM_DEPTH)
+#define JAL_DEPTH_AWARE
+layout(binding = kUnitDepthPyramid) uniform sampler2D depthPyramid;  // level L of the screen is its level L - 1
+layout(binding = kUnitDepth) uniform sampler2D depthBuffer;
+#endif
+
 uvec2 viewport() { return uvec2(cullView.viewportWidth, cullView.viewportHeight); }
 
-/// Opacity of a texel: the covered share of the pixels it stands for.
-float opacity(uvec2 texel, uint level) {
-  return 1.0 - texelFetch(occlusionMap, ivec2(texel), int(level)).r / float(texelArea(texel, level, viewport()));
+/// The covered share of the pixels that a texel stands for, as an object at a depth sees it.
+float opacity(uvec2 texel, uint level, float nearestDepth) {
+  float covered = 1.0;
+#ifdef JAL_DEPTH_AWARE
+  float farthest = level == 0u ? texelFetch(depthBuffer, ivec2(texel), 0).r
+                               : texelFetch(depthPyramid, ivec2(texel), int(level) - 1).r;
+  if (!(farthest > nearestDepth)) return 0.0;
+#endif
+#ifndef JAL_HIZ
+  covered -= texelFetch(occlusionMap, ivec2(texel), int(level)).r / float(texelArea(texel, level, viewport()));
+#endif
+  return covered;
 }
 
 /// Lowest and highest opacity of the texels that a pixel span touches at a level.
-vec2 opacityRange(uvec4 pixels, uint level) {
+vec2 opacityRange(uvec4 pixels, uint level, float nearestDepth) {
   uvec4 texels = pixels >> level;
   vec2 range = vec2(1.0, 0.0);
   for (uint y = texels.y; y <= texels.w; ++y) {
     for (uint x = texels.x; x <= texels.z; ++x) {
-      float value = opacity(uvec2(x, y), level);
+      float value = opacity(uvec2(x, y), level, nearestDepth);
       range = vec2(min(range.x, value), max(range.y, value));
     }
   }
   return range;
 }
 
-/// Normalised LV of the block kBlockLevels below LOM, rows first, then columns: 2 NM + 4 M multiply-adds.
-float analyseBlock(uvec4 pixels, vec4 rect, uint lom) {
+/// x: normalised LV of the block kBlockLevels below LOM, rows first, then columns: 2 NM + 4 M multiply-adds.
+/// y: the covered texels' sum, 0 if the whole block is open.
+vec2 analyseBlock(uvec4 pixels, vec4 rect, uint lom, float nearestDepth) {
   uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
   uvec2 spanX = blockSpan(pixels.x, pixels.z, rect.x, rect.z, level);
   uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
   bool spectrum = max(spanX.y, spanY.y) >= kMinSpectrumSide;
   uint cosinesX = 16u * (spanX.y - 1u);
   uint cosinesY = 16u * (spanY.y - 1u);
-  float dc = 0.0, u = 0.0, v = 0.0, uv = 0.0;
+  float dc = 0.0, u = 0.0, v = 0.0, uv = 0.0, covered = 0.0;
   for (uint j = 0u; j < spanY.y; ++j) {
     float rowSum = 0.0, rowCosine = 0.0;
     for (uint i = 0u; i < spanX.y; ++i) {
-      float f = opacity(uvec2(spanX.x + i, spanY.x + j), level) - 0.5;
+      float value = opacity(uvec2(spanX.x + i, spanY.x + j), level, nearestDepth);
+      covered += value;
+      float f = value - 0.5;
       rowSum += f;
       rowCosine += f * cosines[cosinesX + i];
     }
@@ -59,31 +82,64 @@ float analyseBlock(uvec4 pixels, vec4 rect, uint lom) {
     uv += rowCosine * c;
   }
   if (!spectrum) u = v = uv = 0.0;
-  return levelOfVisibility(dc, u, v, uv, spanX.y, spanY.y);
+  return vec2(levelOfVisibility(dc, u, v, uv, spanX.y, spanY.y), covered);
+}
+
+/// Lowest opacity over the rectangle at LOM and up to kMaxDescent levels below, and whether nothing at all covers it.
+vec2 overlap(uvec4 pixels, uint lom, float nearestDepth) {
+  uint lowest = lom > kMaxDescent ? lom - kMaxDescent : 0u;
+  vec2 range = opacityRange(pixels, lom, nearestDepth);
+  for (uint level = lom; range.x < cullView.cullThreshold && level > lowest;) {
+#ifndef JAL_DEPTH_AWARE
+    if (range.y <= 0.0) break;  // a sum of nothing: the levels below are open too. Not so for a farthest depth
+#endif
+    range = opacityRange(pixels, --level, nearestDepth);
+  }
+  return range;
 }
 
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount || states[id].verdict != kVerdictPending) return;
-  vec4 rect = vec4(rects[id].minX, rects[id].minY, rects[id].maxX, rects[id].maxY);
+  ScreenBox box = boxes[id];
+  vec4 rect = vec4(box.minX, box.minY, box.maxX, box.maxY);
+#ifdef JAL_HOM_DEPTH
+  // The map was drawn with levels that may be off by occluderTau pixels.
+  float guard = ceil(cullView.occluderTau);
+  rect = clamp(rect + vec4(-guard, -guard, guard, guard), vec4(0.0), vec4(viewport().xyxy));
+#endif
   uvec4 pixels = touchedPixels(rect, viewport());
   uint lom = min(levelForExtent(max(rect.z - rect.x, rect.w - rect.y)), cullView.mapLevels - 1u);
+  vec2 range = overlap(pixels, lom, box.nearestDepth);
 
-  // Cull if some level, from LOM down, shows every touched texel covered.
-  uint lowest = lom > kMaxDescent ? lom - kMaxDescent : 0u;
-  vec2 range = opacityRange(pixels, lom);
-  bool open = range.y <= 0.0;
-  for (uint level = lom; range.x < cullView.cullThreshold && level > lowest && range.y > 0.0;) {
-    range = opacityRange(pixels, --level);
-    open = range.y <= 0.0;
+  ObjectState state = states[id];
+  bool hidden = range.x >= cullView.cullThreshold;
+  bool open = !hidden && range.y <= 0.0;
+  state.lv = hidden ? 1.0 : -1.0;
+#ifdef JAL_DEPTH_AWARE
+  bool wantsBlock = !hidden && cullView.analyse != 0u;
+#else
+  bool wantsBlock = !hidden && !open && cullView.analyse != 0u;
+#endif
+  if (wantsBlock) {
+    vec2 block = analyseBlock(pixels, rect, lom, box.nearestDepth);
+    open = block.y <= 0.0;
+    if (!open) state.lv = block.x;
   }
-  if (range.x >= cullView.cullThreshold) {
-    states[id].verdict = kVerdictOccluded;
-    states[id].lv = 1.0;
-  } else if (open) {
-    states[id].verdict = kVerdictOpen;
+
+  uint mark = marks[id];
+  bool early = (mark & kMarkEarly) != 0u;
+  state.verdict = hidden ? (early ? kVerdictStale : kVerdictOccluded) : open ? kVerdictOpen : kVerdictPartial;
+  if (hidden) {
+    mark &= ~kMarkVisible;
   } else {
-    states[id].verdict = kVerdictPartial;
-    if (cullView.analyse != 0u) states[id].lv = analyseBlock(pixels, rect, lom);
+    mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
   }
+  if (!early && !hidden && cullView.lodRule == kLodLinear) {
+    Chain chain = chains[objects[id].chain];
+    state.lod = linearLod(state.lv, chain.lodCount);
+    state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
+  }
+  marks[id] = mark;
+  states[id] = state;
 }

@@ -1,7 +1,7 @@
-// Frustum culling and occluder selection; writes the commands of the occlusion pass (thesis 3.2, 4.1.2).
+// Frustum culling, size on screen, occluder selection, and the first choice of detail (thesis 3.2, 4.1.2).
 //
-// One thread: one object. Reads objects, chains, lods. Writes states (verdict), rects, commands.
-// Barrier owed: COMMAND for the occluder draw, SHADER_STORAGE for analyse.comp and emit_commands.comp.
+// One thread: one object. Reads transforms, objects, chains, lods, and from the last frame marks and states (lv).
+// Writes states, boxes, marks. Barrier owed: SHADER_STORAGE for analyse.comp and bin_objects.comp.
 // CPU twin: src/visibility/classify_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -9,32 +9,70 @@
 #include "shared/frame_structs.h"
 #include "lib/transform.glsl"
 #include "lib/frustum.glsl"
+#include "lib/overlap.glsl"
 #include "lib/buffers.glsl"
-#include "lib/commands.glsl"
+#include "lib/importance.glsl"
+#include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 
-uint classify(BoxOnScreen box) {
+bool selectsOccluders() { return cullView.cullMode == kCullHom || cullView.cullMode == kCullHomDepth; }
+
+uint classify(BoxOnScreen box, float importance) {
   if (cullView.cullMode == kCullNone) return kVerdictPending;
   if (box.outside) return kVerdictOutside;
-  if (cullView.cullMode == kCullHom &&
+  if (box.crossesNear && !selectsOccluders()) return kVerdictNear;
+  vec2 size = box.rect.zw - box.rect.xy;
+  if (!box.crossesNear && size.x * size.y * importance < cullView.minPixels) return kVerdictSmall;
+  if (selectsOccluders() &&
       distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld) < cullView.occluderDistance)
     return kVerdictOccluder;
   return box.crossesNear ? kVerdictNear : kVerdictPending;
 }
 
+/// What the verdict alone decides about the phases; analyse.comp adds the rest.
+uint phasesOf(uint verdict, bool wasVisible) {
+  bool drawn = verdict != kVerdictOutside && verdict != kVerdictSmall;
+  if (!drawn) return 0u;
+  if (cullView.cullMode == kCullHiz) {
+    if (verdict == kVerdictNear) return kMarkEarly | kMarkVisible;
+    return wasVisible ? kMarkEarly | kMarkVisible : 0u;
+  }
+  if (verdict == kVerdictOccluder) return kMarkEarly | kMarkLate | kMarkVisible;
+  return verdict == kVerdictPending && selectsOccluders() ? 0u : kMarkLate | kMarkVisible;
+}
+
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount) return;
-  Object object = objects[id];
-  Chain chain = chains[object.chain];
-  BoxOnScreen box = boxOnScreen(object.worldFromObject0, object.worldFromObject1, object.worldFromObject2,
-                                chain.boundsMinObject.xyz, chain.boundsMaxObject.xyz, cullView.clipFromWorld,
+  Transform transform = transforms[id];
+  Chain chain = chains[objects[id].chain];
+  BoxOnScreen box = boxOnScreen(transform, chain.boundsMinObject.xyz, chain.boundsMaxObject.xyz, cullView.clipFromWorld,
                                 vec2(cullView.viewportWidth, cullView.viewportHeight));
-  uint verdict = classify(box);
-  states[id] = ObjectState(verdict, 0u, cullView.maxTessellation, -1.0);
   bool hasRect = !box.outside && !box.crossesNear;
-  rects[id] = hasRect ? ScreenRect(box.rect.x, box.rect.y, box.rect.z, box.rect.w) : ScreenRect(0.0, 0.0, 0.0, 0.0);
-  if (cullView.cullMode == kCullHom)
-    writeCommands(id, object, chain, verdict == kVerdictOccluder, 0u, cullView.maxTessellation);
+  vec4 rect = hasRect ? box.rect : vec4(0.0);
+  float importance = hasRect ? importanceOf(rect) : 1.0;
+  float pixelsPerUnit =
+      projectedScale(largestScale(transform), cullView.focalPixels,
+                     distance(cullView.cameraWorld.xyz, box.centerWorld), box.radiusWorld, cullView.cameraWorld.w);
+  float tau = cullView.tau / importance;
+  boxes[id] = ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0);
+
+  uint verdict = classify(box, importance);
+  bool wasVisible = (marks[id] & kMarkVisible) != 0u;
+  uint phases = phasesOf(verdict, wasVisible);
+  marks[id] = phases | (isMirrored(transform) ? kMarkMirrored : 0u);
+
+  // Two phases: what is drawn before the test has only last frame's level of visibility to go by.
+  bool early = cullView.cullMode == kCullHiz && wasVisible && verdict == kVerdictPending;
+  ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, early ? states[id].lv : -1.0);
+  if (cullView.lodRule == kLodLinear) {
+    state.lod = linearLod(state.lv, chain.lodCount);
+    state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
+  } else if (cullView.lodRule == kLodPixelError) {
+    state.lod = pixelErrorLod(chain, pixelsPerUnit, tau);
+    state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau,
+                                                cullView.maxTessellation);
+  }
+  states[id] = state;
 }

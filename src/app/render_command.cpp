@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 #include "app/render_report.h"
 #include "asset/image_io.h"
@@ -46,10 +47,16 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Renders options.repeat frames (after a warm-up if more than one) and takes medians per pass.
+/// Frames before the measured ones: two until the visible set of two phases has settled (the first frame knows nothing,
+/// the second draws all that the first one let through), one more to warm caches up if times are wanted.
+std::uint32_t warmUpFrames(const RenderOptions& options) {
+  return (options.mode == "hiz" ? 2U : 0U) + (options.repeat > 1 ? 1U : 0U);
+}
+
+/// Renders options.repeat frames after the warm-up and takes medians per pass.
 FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& renderer, const scene::Camera& cull,
                         const scene::Camera& draw) {
-  const std::uint32_t warmUps = options.repeat > 1 ? 1 : 0;
+  const std::uint32_t warmUps = warmUpFrames(options);
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> samples;
   std::vector<double> frames;
@@ -93,7 +100,11 @@ void runRender(const RenderOptions& options) {
   const scene::Camera cull = cullCamera(options, scene, draw);
 
   const platform::HeadlessContext context(/*debug=*/false);
-  render::FrameRenderer renderer(scene, options.width, options.height);
+  std::optional<visibility::ImportanceMask> importance;
+  if (!options.importance.empty()) importance.emplace(asset::loadImage(options.importance));
+  render::RendererOptions rendererOptions = options.rendererOptions;
+  rendererOptions.importance = importance ? &*importance : nullptr;
+  render::FrameRenderer renderer(scene, options.width, options.height, rendererOptions);
   RenderReport report;
   report.renderer = context.capabilities().renderer;
   report.times = renderFrames(options, renderer, cull, draw);
@@ -105,6 +116,14 @@ void runRender(const RenderOptions& options) {
         "jalousie: warning: {}: tessellation limited to level {}: the base mesh has {} triangles and this software "
         "renderer drops vertices above that\n",
         options.scene.string(), report.maxTessellation, scene.maxPatchTriangles);
+  if (report.statistics.dropped > 0)
+    fmt::print(stderr, "jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing\n",
+               options.scene.string(), report.statistics.dropped, options.rendererOptions.capacity.value_or(0));
+  if (scene.hasUnmeasuredLevels && options.lod == "pixel-error" && !options.quiet)
+    fmt::print(stderr,
+               "jalousie: warning: {}: some levels carry no measured error and are never chosen by --lod pixel-error; "
+               "bake the file with jalousie-bake\n",
+               options.scene.string());
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   writeReport(options, report);
 }

@@ -4,15 +4,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 
 namespace jalousie::app {
 namespace {
+
+const std::vector<std::string> kModes = {"full", "frustum", "hom", "hom-depth", "hiz"};
+const std::vector<std::string> kLodRules = {"finest", "linear", "pixel-error"};
+const std::vector<std::string> kViews = {"shaded", "lod", "lv", "occlusion", "phase"};
+const std::vector<std::string> kDetails = {"discrete", "tessellation"};
 
 /// Turns "1,2.5,-3" into a point; anything else is a usage error that CLI11 reports.
 bool parsePoint(const CLI::results_t& results, std::optional<glm::vec3>& target) {
@@ -63,20 +70,44 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addMethodOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--mode", options.mode, "Culling: full = none, frustum, hom = hierarchical occlusion map")
-      ->check(CLI::IsMember({"full", "frustum", "hom"}))
+  command
+      .add_option("--mode", options.mode,
+                  "Culling: full = none, frustum, hom = hierarchical occlusion map as in the thesis, hom-depth = the "
+                  "same where the occluders are in front, hiz = two phases against depth, never hides what can be seen")
+      ->check(CLI::IsMember(kModes))
       ->capture_default_str();
   command
       .add_option("--lod", options.lod,
-                  "Detail: finest, linear = by level of visibility [linear with hom, else finest]")
-      ->check(CLI::IsMember({"finest", "linear"}));
+                  "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau")
+      ->check(CLI::IsMember(kLodRules))
+      ->capture_default_str();
+  command
+      .add_option_function<float>(
+          "--tau",
+          [&options](const float& tau) {
+            options.frameOptions.tau = tau;
+            options.tauGiven = true;
+          },
+          "Error that --lod pixel-error allows, pixels [1]")
+      ->check(CLI::Range(0.0F, 1000.0F));
+  command
+      .add_option("--min-pixels", options.frameOptions.minPixels,
+                  "Contribution culling: leave out objects whose rectangle covers fewer pixels; 0 = none")
+      ->check(CLI::Range(0.0F, 1e6F))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--importance", options.importance,
+          "Grey image stretched over the screen: white keeps --tau and --min-pixels, darker divides by its value, "
+          "down to 1/16")
+      ->type_name("MASK.png");
   command.add_option("--lv", options.lv, "Measure of hiddenness")
       ->check(CLI::IsMember({"thesis"}))
       ->capture_default_str();
   command
       .add_option("--detail", options.detail,
                   "discrete = LOD chain, tessellation = Phong patches over the coarsest level")
-      ->check(CLI::IsMember({"discrete", "tessellation"}))
+      ->check(CLI::IsMember(kDetails))
       ->capture_default_str();
   command.add_option("--max-tessellation", options.frameOptions.maxTessellation, "Finest tessellation level")
       ->check(CLI::Range(1U, gpu::kMaxTessellationLevel))
@@ -86,18 +117,32 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
                   "Objects nearer than this are occluders, world units [distance to the scene + 12 % of its diagonal]")
       ->check(CLI::NonNegativeNumber);
   command
+      .add_option("--occluder-tau", options.frameOptions.occluderTau,
+                  "Error of the levels drawn into the occlusion map, pixels [hom: 0, hom-depth: 0.5]")
+      ->check(CLI::Range(0.0F, 1000.0F));
+  command
       .add_option("--cull-threshold", options.frameOptions.cullThreshold,
                   "Opacity from which a texel of the map hides; below 1 visible pixels can be lost")
       ->check(CLI::Range(0.01F, 1.0F))
       ->capture_default_str();
+  command
+      .add_option("--draws", options.draws,
+                  "instanced = one command per mesh and level, per-object = one per object; same image")
+      ->check(CLI::IsMember({"instanced", "per-object"}))
+      ->capture_default_str();
+  command
+      .add_option("--capacity", options.rendererOptions.capacity,
+                  "Most objects one draw list holds; more are left out, counted and reported [all]")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--core", options.coreOnly, "OpenGL 4.5 core only, no extension; same image");
 }
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--view", options.view,
-                  "shaded, lod = occluders red, occludees blue, lighter = coarser; lv = heat map; "
-                  "occlusion = the map itself")
-      ->check(CLI::IsMember({"shaded", "lod", "lv", "occlusion"}))
+                  "shaded, lod = occluders red, others blue, lighter = coarser; lv = heat map; occlusion = the map or "
+                  "depth pyramid itself; phase = drawn before the test grey, after it orange, before it in vain red")
+      ->check(CLI::IsMember(kViews))
       ->capture_default_str();
   command.add_option("--map-level", options.frameOptions.mapLevel, "Level that --view occlusion shows")
       ->capture_default_str();
@@ -115,13 +160,8 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
   throw Error(ErrorCode::kUsage, reason);
 }
 
-gpu::uint indexOf(std::initializer_list<const char*> names, const std::string& name) {
-  gpu::uint index = 0;
-  for (const char* candidate : names) {
-    if (name == candidate) return index;
-    ++index;
-  }
-  return index;
+gpu::uint indexOf(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<gpu::uint>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 void checkCamera(const RenderOptions& o) {
@@ -132,11 +172,17 @@ void checkCamera(const RenderOptions& o) {
 }
 
 void checkCombination(const RenderOptions& o) {
-  const bool hom = o.mode == "hom";
-  if (!hom && o.lod == "linear") refuse("--lod linear needs the occlusion map of --mode hom");
-  if (!hom && (o.view == "occlusion" || o.view == "lv")) refuse("--view occlusion and lv need the map of --mode hom");
-  if (!hom && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom");
-  if (!hom && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom");
+  const bool map = o.mode == "hom" || o.mode == "hom-depth";
+  const bool twoPhases = o.mode == "hiz";
+  if (!map && !twoPhases && o.lod == "linear") refuse("--lod linear needs --mode hom, hom-depth or hiz");
+  if (!map && !twoPhases && (o.view == "occlusion" || o.view == "lv"))
+    refuse("--view occlusion and lv need --mode hom, hom-depth or hiz");
+  if (!twoPhases && o.view == "phase") refuse("--view phase needs --mode hiz");
+  if (!map && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom or hom-depth");
+  if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
+  if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
+  if (o.lod != "pixel-error" && o.tauGiven) refuse("--tau needs --lod pixel-error");
+  if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
   if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
   if (o.detail != "tessellation" && o.frameOptions.maxTessellation != gpu::kMaxTessellationLevel)
     refuse("--max-tessellation needs --detail tessellation");
@@ -149,12 +195,14 @@ void checkCombination(const RenderOptions& o) {
 void RenderOptions::finish() {
   checkCamera(*this);
   checkCombination(*this);
-  if (lod.empty()) lod = mode == "hom" ? "linear" : "finest";
-  frameOptions.cullMode = indexOf({"full", "frustum", "hom"}, mode);
-  frameOptions.lodRule = indexOf({"finest", "linear"}, lod);
-  frameOptions.detail = indexOf({"discrete", "tessellation"}, detail);
-  frameOptions.view = indexOf({"shaded", "lod", "lv", "occlusion"}, view);
+  frameOptions.cullMode = indexOf(kModes, mode);
+  frameOptions.lodRule = indexOf(kLodRules, lod);
+  frameOptions.detail = indexOf(kDetails, detail);
+  frameOptions.view = indexOf(kViews, view);
   frameOptions.skipDraw = statsOnly;
+  rendererOptions.submission =
+      draws == "instanced" ? visibility::Submission::kInstanced : visibility::Submission::kPerObject;
+  rendererOptions.fastPaths = !coreOnly;
 }
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {

@@ -15,12 +15,6 @@ class App;
 
 namespace jalousie::app {
 
-/// A point given as "x,y,z".
-struct PointOption {
-  std::string text;
-  std::optional<glm::vec3> value;
-};
-
 struct RenderOptions {
   std::filesystem::path scene;
   std::filesystem::path output;  ///< empty only with statsOnly
@@ -33,15 +27,20 @@ struct RenderOptions {
   std::optional<glm::vec3> freezeLook;
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
-  std::string mode = "hom";
-  std::string lod;  ///< empty: linear with hom, else finest
+  std::filesystem::path importance;  ///< mask image; empty: none
+  std::string mode = "hiz";
+  std::string lod = "pixel-error";
   std::string lv = "thesis";
   std::string detail = "discrete";
   std::string view = "shaded";
   std::uint32_t repeat = 1;
   bool statsOnly = false;
   bool quiet = false;
-  render::FrameOptions frameOptions;  ///< the enums of the texts above, filled by finish()
+  std::string draws = "instanced";
+  bool coreOnly = false;
+  bool tauGiven = false;
+  render::FrameOptions frameOptions;        ///< the enums of the texts above, filled by finish()
+  render::RendererOptions rendererOptions;  ///< likewise
 
   /// Resolves texts to enums and refuses contradictions. Errors: kUsage.
   void finish();

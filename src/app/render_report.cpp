@@ -34,13 +34,18 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["mode"] = options.mode;
   json["lod"] = options.lod;
   json["lv"] = options.lv;
+  if (options.lod == "pixel-error") json["tau"] = options.frameOptions.tau;
   json["detail"] = options.detail;
   if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
   json["objects"] = s.objects;
   json["culled_frustum"] = s.culledFrustum;
   json["occluders"] = s.occluders;
   json["culled_occlusion"] = s.culledOcclusion;
+  json["culled_small"] = s.culledSmall;
   json["drawn"] = s.drawn;
+  json["drawn_early"] = s.drawnEarly;
+  json["drawn_stale"] = s.drawnStale;
+  json["dropped"] = s.dropped;
   json["triangles"] = s.triangles;
   json["triangles_full"] = s.trianglesFull;
   json["lod_histogram"] = s.lodHistogram;
@@ -55,8 +60,13 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   const render::FrameStatistics& s = report.statistics;
   std::string text = fmt::format("{}x{}  mode {}  lod {}  detail {}   {}\n", options.width, options.height,
                                  options.mode, options.lod, options.detail, report.renderer);
-  text += fmt::format("  objects   {:>13}   outside {}, occluded {}, drawn {} ({} occluders)\n", grouped(s.objects),
-                      grouped(s.culledFrustum), grouped(s.culledOcclusion), grouped(s.drawn), grouped(s.occluders));
+  text += fmt::format("  objects   {:>13}   outside {}, occluded {}, ", grouped(s.objects), grouped(s.culledFrustum),
+                      grouped(s.culledOcclusion));
+  if (options.frameOptions.minPixels > 0.0F) text += fmt::format("small {}, ", grouped(s.culledSmall));
+  text += fmt::format("drawn {}", grouped(s.drawn));
+  if (options.mode == "hiz") text += fmt::format(" ({} before the test)", grouped(s.drawnEarly));
+  if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
+  text += '\n';
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFull), grouped(s.trianglesFull));
   text += options.detail == "tessellation" ? "  levels 1.." : "  LOD 0..";

@@ -1,6 +1,7 @@
 // Flattening of a glTF document: one pass over the node hierarchy, meshes and chains made where they are first used.
 #include "asset/scene_file.h"
 
+#include <limits>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -154,7 +155,8 @@ class SceneReader {
       LodLevel level{*index, 0.0F};
       if (!chain.levels.empty()) {
         const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(mesh)]);
-        if (info) level.errorObject = static_cast<float>(info->errorObject);
+        level.errorObject =
+            info ? static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
       }
       chain.levels.push_back(level);
     }

@@ -43,7 +43,7 @@ struct Mesh {
 
 struct LodLevel {
   std::uint32_t mesh = 0;                   ///< index into SceneFile::meshes
-  float errorObject = 0.0F;                 ///< 0 for LOD 0 and where the file does not say
+  float errorObject = 0.0F;                 ///< 0 for LOD 0; infinite where the file does not say
 };
 
 /// LOD 0 first. One level where the file has no MSFT_lod. Nodes with the same meshes share a chain.

@@ -32,4 +32,9 @@ void Buffer::readBytes(std::size_t offsetBytes, std::span<std::byte> target) con
                           target.data());
 }
 
+void Buffer::clear() {
+  const GLuint zero = 0;
+  glClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+}
+
 }  // namespace jalousie::gl

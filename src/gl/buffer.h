@@ -45,9 +45,17 @@ class Buffer {
     return result;
   }
 
+  /// glClearNamedBufferData with zeros.
+  void clear();
+
   /// glBindBufferBase.
   void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
   void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
+  /// glBindBufferRange of a uniform block. @pre offset is a multiple of GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
+  void bindUniformRange(GLuint binding, std::size_t offsetBytes, std::size_t bytes) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, binding, id(), static_cast<GLintptr>(offsetBytes),
+                      static_cast<GLsizeiptr>(bytes));
+  }
 
  private:
   void readBytes(std::size_t offsetBytes, std::span<std::byte> target) const;

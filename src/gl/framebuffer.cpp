@@ -40,12 +40,29 @@ ImageRgba8 Framebuffer::readRgba8(std::uint32_t width, std::uint32_t height) con
   return image;
 }
 
-std::vector<float> Framebuffer::readRed(std::uint32_t width, std::uint32_t height) const {
-  std::vector<float> values(std::size_t{width} * height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, id());
+namespace {
+
+template <class T>
+std::vector<T> readPixels(GLuint framebuffer, std::uint32_t width, std::uint32_t height, GLenum format, GLenum type) {
+  std::vector<T> values(std::size_t{width} * height);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height), GL_RED, GL_FLOAT, values.data());
+  glReadPixels(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height), format, type, values.data());
   return values;
+}
+
+}  // namespace
+
+std::vector<float> Framebuffer::readRed(std::uint32_t width, std::uint32_t height) const {
+  return readPixels<float>(id(), width, height, GL_RED, GL_FLOAT);
+}
+
+std::vector<std::uint32_t> Framebuffer::readRedInteger(std::uint32_t width, std::uint32_t height) const {
+  return readPixels<std::uint32_t>(id(), width, height, GL_RED_INTEGER, GL_UNSIGNED_INT);
+}
+
+std::vector<float> Framebuffer::readDepth(std::uint32_t width, std::uint32_t height) const {
+  return readPixels<float>(id(), width, height, GL_DEPTH_COMPONENT, GL_FLOAT);
 }
 
 }  // namespace jalousie::gl

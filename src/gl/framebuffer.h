@@ -24,6 +24,10 @@ class Framebuffer {
   ImageRgba8 readRgba8(std::uint32_t width, std::uint32_t height) const;
   /// The same for a single-channel float attachment; row 0 is the bottom one, as in the texture.
   std::vector<float> readRed(std::uint32_t width, std::uint32_t height) const;
+  /// The same for a single-channel unsigned integer attachment.
+  std::vector<std::uint32_t> readRedInteger(std::uint32_t width, std::uint32_t height) const;
+  /// The same for the depth attachment.
+  std::vector<float> readDepth(std::uint32_t width, std::uint32_t height) const;
 
  private:
   Handle<FramebufferTraits> handle_;

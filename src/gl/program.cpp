@@ -58,6 +58,11 @@ Handle<ShaderTraits> compile(std::string_view file, const std::vector<std::strin
 
 }  // namespace
 
+ProgramSource withDefine(ProgramSource source, std::string_view define) {
+  source.defines.push_back(define);
+  return source;
+}
+
 Program::Program(const ProgramSource& source) : handle_(glCreateProgram()) {
   label(GL_PROGRAM, id(), source.name);
   std::vector<Handle<ShaderTraits>> shaders;

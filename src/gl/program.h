@@ -17,6 +17,9 @@ struct ProgramSource {
   std::vector<std::string_view> defines;
 };
 
+/// The same program with one more define.
+ProgramSource withDefine(ProgramSource source, std::string_view define);
+
 /// A linked program. Has no uniforms to set: everything comes from buffers, textures and fixed bindings.
 class Program {
  public:

@@ -1,6 +1,8 @@
 // Texture storage and transfers through direct state access.
 #include "gl/texture.h"
 
+#include <algorithm>
+
 #include "core/check.h"
 
 namespace jalousie::gl {
@@ -21,15 +23,24 @@ Texture::Texture(GLenum target, GLenum internalFormat, const TextureSize& size, 
   }
 }
 
-void Texture::uploadLayer(std::uint32_t layer, std::span<const std::uint8_t> rgba) {
+void Texture::uploadLayer(std::uint32_t layer, std::uint32_t level, std::span<const std::uint8_t> rgba) {
   JAL_CHECK(layer < size_.layers);
-  JAL_CHECK(rgba.size() == static_cast<std::size_t>(size_.width) * size_.height * 4);
-  glTextureSubImage3D(id(), 0, 0, 0, static_cast<GLint>(layer), static_cast<GLsizei>(size_.width),
-                      static_cast<GLsizei>(size_.height), 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  JAL_CHECK(level < size_.levels);
+  const std::uint32_t width = std::max(size_.width >> level, 1U);
+  const std::uint32_t height = std::max(size_.height >> level, 1U);
+  JAL_CHECK(rgba.size() == static_cast<std::size_t>(width) * height * 4);
+  glTextureSubImage3D(id(), static_cast<GLint>(level), 0, 0, static_cast<GLint>(layer), static_cast<GLsizei>(width),
+                      static_cast<GLsizei>(height), 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
-void Texture::generateMipmaps() {
-  glGenerateTextureMipmap(id());
+void Texture::uploadBytes(std::uint32_t level, std::span<const std::uint8_t> bytes) {
+  JAL_CHECK(level < size_.levels);
+  const std::uint32_t width = std::max(size_.width >> level, 1U);
+  const std::uint32_t height = std::max(size_.height >> level, 1U);
+  JAL_CHECK(bytes.size() == static_cast<std::size_t>(width) * height);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(id(), static_cast<GLint>(level), 0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height),
+                      GL_RED, GL_UNSIGNED_BYTE, bytes.data());
 }
 
 void Texture::setSampling(GLint minFilter, GLint magFilter, GLint wrap) {

@@ -25,11 +25,11 @@ class Texture {
   GLuint id() const { return handle_.id(); }
   const TextureSize& size() const { return size_; }
 
-  /// glTextureSubImage3D of RGBA8 rows, level 0. @pre the texture is an array, rgba has width * height * 4 bytes
+  /// glTextureSubImage3D of RGBA8 rows. @pre the texture is an array, rgba has the level's width * height * 4 bytes
   /// (checked)
-  void uploadLayer(std::uint32_t layer, std::span<const std::uint8_t> rgba);
-  /// glGenerateTextureMipmap.
-  void generateMipmaps();
+  void uploadLayer(std::uint32_t layer, std::uint32_t level, std::span<const std::uint8_t> rgba);
+  /// glTextureSubImage2D of one byte per texel, rows from the bottom. @pre bytes match the level (checked)
+  void uploadBytes(std::uint32_t level, std::span<const std::uint8_t> bytes);
   /// glTextureParameteri for filters and wrapping.
   void setSampling(GLint minFilter, GLint magFilter, GLint wrap);
   /// glClearTexImage of a single-channel float level.

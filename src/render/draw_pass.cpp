@@ -1,4 +1,4 @@
-// State per list: solid lists cull back faces in the rasteriser, sheet lists decide per fragment.
+// State per list: solid lists cull back faces in the rasteriser, sheet and blend lists decide per fragment.
 #include "render/draw_pass.h"
 
 #include "render/program_table.h"
@@ -6,26 +6,24 @@
 namespace jalousie::render {
 namespace {
 
-std::array<gl::Program, gpu::kListCount> makePrograms(ProgramId first) {
-  std::array<gl::Program, gpu::kListCount> programs;
-  for (unsigned list = 0; list < gpu::kListCount; ++list)
-    programs[list] = gl::Program(programTable()[static_cast<unsigned>(first) + list]);
+std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities) {
+  std::array<gl::Program, 4> programs;
+  for (unsigned i = 0; i < programs.size(); ++i) {
+    const gl::ProgramSource& source = programTable()[static_cast<unsigned>(first) + i];
+    programs[i] = gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source);
+  }
   return programs;
-}
-
-bool isPatchList(unsigned list) {
-  return list >= gpu::kListSolidPatch;
-}
-bool isSheetList(unsigned list) {
-  return list == gpu::kListSheet || list == gpu::kListSheetPatch;
 }
 
 }  // namespace
 
-DrawPass::DrawPass()
-    : shaded_(makePrograms(ProgramId::kShadedSolid)),
-      opacity_(makePrograms(ProgramId::kOpacitySolid)),
+DrawPass::DrawPass(const gl::Capabilities& capabilities)
+    : indirectCount_(capabilities.indirectCount),
+      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities)),
+      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities)),
+      id_(makePrograms(ProgramId::kIdSolid, capabilities)),
       mapView_(programSource(ProgramId::kMapView)),
+      depthView_(programSource(ProgramId::kDepthView)),
       noInput_("no vertex input"),
       view_(sizeof(gpu::DrawView), GL_DYNAMIC_STORAGE_BIT, "draw view") {}
 
@@ -33,28 +31,49 @@ void DrawPass::setView(const gpu::DrawView& view) {
   view_.writeValue(view);
 }
 
-void DrawPass::draw(DrawKind kind, gpu::uint detail, const SceneBuffers& scene, const gl::Buffer& commands,
-                    const gl::Buffer& states) const {
+void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene,
+                    const visibility::DrawList& list, const visibility::VisibilityPass& visibility) const {
   if (scene.objectCount() == 0) return;
-  scene.bindForDrawing();
-  states.bindStorage(gpu::kBindingStates);
+  if (part == DrawPart::kBlended && !scene.usesBlending()) return;
+  scene.bindForDrawing(list.instances());
+  visibility.states().bindStorage(gpu::kBindingStates);
+  visibility.marks().bindStorage(gpu::kBindingMarks);
   view_.bindUniform(gpu::kBindingDrawView);
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.id());
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
   glPatchParameteri(GL_PATCH_VERTICES, 3);
-  const unsigned lists = detail == gpu::kDetailTessellation ? gpu::kListCount : gpu::kListSolidPatch;
-  for (unsigned list = 0; list < lists; ++list) {
-    if (isSheetList(list) && !scene.usesSheets()) continue;
-    if (isSheetList(list)) {
-      glDisable(GL_CULL_FACE);
+  const Programs& programs = kind == DrawKind::kShaded ? shaded_ : kind == DrawKind::kOpacity ? opacity_ : id_;
+  const unsigned paths = detail == gpu::kDetailTessellation && list.options().patches ? 2 : 1;
+  for (unsigned path = 0; path < paths; ++path) {
+    const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
+    const unsigned firstList = gpu::kListsPerDetail * path;
+    const auto drawList = [&](unsigned listIndex, unsigned program, bool cullBackFaces) {
+      (cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+      programs[2 * path + program].use();
+      submit(primitive, list, firstList + listIndex);
+    };
+    if (part == DrawPart::kOpaque) {
+      drawList(gpu::kListSolid, 0, true);
+      drawList(gpu::kListSheet, 1, false);
     } else {
-      glEnable(GL_CULL_FACE);
+      drawList(gpu::kListBlend, 1, false);
     }
-    (kind == DrawKind::kShaded ? shaded_ : opacity_)[list].use();
-    const std::size_t offset = sizeof(gpu::DrawCommand) * list * scene.objectCount();
-    glMultiDrawElementsIndirect(isPatchList(list) ? GL_PATCHES : GL_TRIANGLES, GL_UNSIGNED_INT,
-                                reinterpret_cast<const void*>(offset), static_cast<GLsizei>(scene.objectCount()), 0);
   }
   glDisable(GL_CULL_FACE);
+}
+
+void DrawPass::submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const {
+  const std::size_t offset = sizeof(gpu::DrawCommand) * index * list.commandCapacity();
+  const auto* commands = reinterpret_cast<const void*>(offset);
+  const auto count = static_cast<GLsizei>(list.commandCapacity());
+  if (!indirectCount_) {
+    glMultiDrawElementsIndirect(primitive, GL_UNSIGNED_INT, commands, count, 0);
+    return;
+  }
+  // A count buffer left bound truncates later draws that do not use it (seen in Mesa 22.3), so it never stays.
+  glBindBuffer(GL_PARAMETER_BUFFER_ARB, list.drawCounts().id());
+  glMultiDrawElementsIndirectCountARB(primitive, GL_UNSIGNED_INT, commands,
+                                      static_cast<GLintptr>(sizeof(gpu::uint) * index), count, 0);
+  glBindBuffer(GL_PARAMETER_BUFFER_ARB, 0);
 }
 
 void DrawPass::drawMap(const visibility::OcclusionMapPass& map) const {
@@ -62,6 +81,15 @@ void DrawPass::drawMap(const visibility::OcclusionMapPass& map) const {
   map.texture().bind(gpu::kUnitOcclusionMap);
   noInput_.bind();
   mapView_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DrawPass::drawPyramid(const visibility::DepthPyramidPass& pyramid, const gl::Texture& depth) const {
+  view_.bindUniform(gpu::kBindingDrawView);
+  pyramid.texture().bind(gpu::kUnitDepthPyramid);
+  depth.bind(gpu::kUnitDepth);
+  noInput_.bind();
+  depthView_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -5,35 +5,47 @@
 #include <cstdint>
 
 #include "gl/buffer.h"
+#include "gl/capabilities.h"
 #include "gl/program.h"
 #include "render/scene_buffers.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
+#include "visibility/draw_list_pass.h"
 
 namespace jalousie::render {
 
 /// What a draw pass writes.
-enum class DrawKind { kShaded, kOpacity };
+enum class DrawKind { kShaded, kOpacity, kId };
+
+/// Which surfaces it draws: blended ones come last and never occlude.
+enum class DrawPart { kOpaque, kBlended };
 
 /// The programs of all lists, and the loop over them.
 class DrawPass {
  public:
-  DrawPass();
+  /// Draw parameters and count draws are used where the capabilities name them; results are the same without.
+  explicit DrawPass(const gl::Capabilities& capabilities);
 
   /// Uploads the drawing camera for all programs.
   void setView(const gpu::DrawView& view);
-  /// Draws every list of a detail path with the bound framebuffer. Lists that no object of the scene can fill are
-  /// skipped.
-  /// @param commands  gpu::DrawCommand [kListCount][objectCount]   @param states  gpu::ObjectState [objectCount]
-  void draw(DrawKind kind, gpu::uint detail, const SceneBuffers& scene, const gl::Buffer& commands,
-            const gl::Buffer& states) const;
+  /// Draws one part of a list's objects into the bound framebuffer.
+  void draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene, const visibility::DrawList& list,
+            const visibility::VisibilityPass& visibility) const;
   /// Fills the bound framebuffer with one level of the occlusion map.
   void drawMap(const visibility::OcclusionMapPass& map) const;
+  /// The same with one level of the depth pyramid. @param depth  its level 0
+  void drawPyramid(const visibility::DepthPyramidPass& pyramid, const gl::Texture& depth) const;
 
  private:
-  std::array<gl::Program, gpu::kListCount> shaded_;
-  std::array<gl::Program, gpu::kListCount> opacity_;
+  using Programs = std::array<gl::Program, 4>;  ///< solid, sheet, solid patch, sheet patch
+  void submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const;
+
+  bool indirectCount_;
+  Programs shaded_;
+  Programs opacity_;
+  Programs id_;
   gl::Program mapView_;
+  gl::Program depthView_;
   gl::VertexArray noInput_;
   gl::Buffer view_;
 };

@@ -1,9 +1,11 @@
-// classify -> occluders -> reduce -> analyse -> emit -> draw (thesis ch. 3, 4.1).
+// One phase:  classify -> [occluders -> map -> analyse] -> list -> draw (thesis ch. 3, 4.1).
+// Two phases: classify -> list -> draw -> depth pyramid -> analyse -> list -> draw (docs/two_phase_culling.md).
 #include "render/frame_renderer.h"
 
 #include <algorithm>
 #include <array>
 
+#include "core/check.h"
 #include "render/tessellation_limit.h"
 #include "scene/patch_base.h"
 
@@ -14,6 +16,21 @@ namespace {
 constexpr float kOccluderDepth = 0.12F;
 
 constexpr std::array<float, 4> kBackground = {0.235F, 0.29F, 0.36F, 1.0F};  // linear RGB
+constexpr float kFarDepth = 0.0F;                                           // reversed depth
+
+bool usesMap(gpu::uint cullMode) {
+  return cullMode == gpu::kCullHom || cullMode == gpu::kCullHomDepth;
+}
+
+gl::Capabilities capabilitiesFor(const RendererOptions& options) {
+  const gl::Capabilities capabilities = gl::queryCapabilities();
+  return options.fastPaths ? capabilities : capabilities.withoutFastPaths();
+}
+
+visibility::DrawListOptions listOptions(const scene::SceneData& scene, const RendererOptions& options) {
+  const auto objects = static_cast<std::uint32_t>(scene.objects.size());
+  return {options.submission, std::min(options.capacity.value_or(objects), objects), scene.maxPatchTriangles > 0};
+}
 
 }  // namespace
 
@@ -23,17 +40,28 @@ float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorl
   return glm::length(outside) + kOccluderDepth * sceneWorld.diagonal();
 }
 
-FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height)
+FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                             const RendererOptions& options)
     : scene_(scene),
       width_(width),
       height_(height),
-      tessellationLimit_(tessellationLimit(gl::queryCapabilities(), scene.maxPatchTriangles)),
+      capabilities_(capabilitiesFor(options)),
+      tessellationLimit_(tessellationLimit(capabilities_, scene.maxPatchTriangles)),
+      fullTriangles_(countFullTriangles(scene)),
       buffers_(scene),
-      map_(visibility::mapLayout(width, height)),
-      visibility_(buffers_.objectCount()),
       color_(GL_TEXTURE_2D, GL_SRGB8_ALPHA8, {width, height, 1, 1}, "frame colour"),
       depth_(GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, {width, height, 1, 1}, "frame depth"),
-      target_(color_, &depth_, "frame") {}
+      id_(GL_TEXTURE_2D, GL_R32UI, {width, height, 1, 1}, "object numbers"),
+      target_(color_, &depth_, "frame"),
+      viewTarget_(color_, nullptr, "view"),
+      idTarget_(id_, &depth_, "object numbers"),
+      map_(visibility::mapLayout(width, height), &depth_),
+      pyramid_(visibility::mapLayout(width, height), capabilities_),
+      visibility_(buffers_.objectCount(), options.importance),
+      lists_(scene),
+      early_(scene, gpu::kMarkEarly, listOptions(scene, options)),
+      late_(scene, gpu::kMarkLate, listOptions(scene, options)),
+      draw_(capabilities_) {}
 
 void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cullCamera,
                            const scene::Camera& drawCamera) noexcept {
@@ -41,27 +69,19 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
   setViews(options, cullCamera, drawCamera);
-  const visibility::SceneBindings bindings = buffers_.bindings();
+  const bool twoPhases = options.cullMode == gpu::kCullHiz;
   {
     const gl::PassTimer::Scope pass(timer_, "classify");
-    visibility_.classify(bindings);
+    visibility_.classify(buffers_.bindings());
   }
-  const bool usesMap = options.cullMode == gpu::kCullHom;
-  if (usesMap) {
-    drawOccluders();
-    {
-      const gl::PassTimer::Scope pass(timer_, "reduce");
-      map_.reduce();
-    }
-    const gl::PassTimer::Scope pass(timer_, "analyse");
-    visibility_.analyse(bindings, map_);
-  }
-  {
-    const gl::PassTimer::Scope pass(timer_, "emit");
-    visibility_.emitCommands(bindings);
-  }
+  if (twoPhases || usesMap(options.cullMode)) findOccluded(options);
+  buildList(late_, "late list");
   if (!options.skipDraw) drawFrame(options);
+  const gl::PassTimer::Scope pass(timer_, "count");
+  statistics_.endFrame(buffers_.bindings(), visibility_, cullView_,
+                       twoPhases || usesMap(options.cullMode) ? &early_ : nullptr, late_);
 }
 
 void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& cullCamera,
@@ -69,7 +89,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
   const glm::vec3 eye = cullCamera.positionWorld();
   cullView_.clipFromWorld = scene::clipFromWorld(cullCamera, aspect);
-  cullView_.cameraWorld = glm::vec4(eye, 1.0F);
+  cullView_.cameraWorld = glm::vec4(eye, cullCamera.zNear);
   cullView_.viewportWidth = width_;
   cullView_.viewportHeight = height_;
   cullView_.objectCount = buffers_.objectCount();
@@ -82,6 +102,11 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
       options.occluderDistance ? *options.occluderDistance : automaticOccluderDistance(eye, scene_.boundsWorld);
   cullView_.cullThreshold = options.cullThreshold;
   cullView_.maxTessellation = std::min(options.maxTessellation, tessellationLimit_);
+  cullView_.focalPixels = scene::focalPixels(cullCamera, height_);
+  cullView_.tau = options.tau;
+  cullView_.occluderTau =
+      options.occluderTau.value_or(options.cullMode == gpu::kCullHomDepth ? kDefaultOccluderTau : 0.0F);
+  cullView_.minPixels = options.minPixels;
   visibility_.setView(cullView_);
 
   drawView_.clipFromWorld = scene::clipFromWorld(drawCamera, aspect);
@@ -94,51 +119,141 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   drawView_.maxTessellation = cullView_.maxTessellation;
   drawView_.viewportWidth = width_;
   drawView_.viewportHeight = height_;
+  drawView_.depthGuard = 0.0F;
+}
+
+void FrameRenderer::buildList(visibility::DrawList& list, const char* name) {
+  const gl::PassTimer::Scope pass(timer_, name);
+  lists_.build(list, buffers_.bindings(), visibility_);
+}
+
+void FrameRenderer::findOccluded(const FrameOptions& options) {
+  buildList(early_, "early list");
+  if (options.cullMode == gpu::kCullHiz) {
+    drawEarly();
+  } else {
+    drawOccluders();
+    const gl::PassTimer::Scope pass(timer_, "reduce map");
+    map_.reduce();
+  }
+  if (options.cullMode != gpu::kCullHom) {
+    const gl::PassTimer::Scope pass(timer_, "depth pyramid");
+    pyramid_.build(
+        depth_, options.cullMode == gpu::kCullHiz ? visibility::DepthSource::kAll : visibility::DepthSource::kCovered);
+  }
+  const gl::PassTimer::Scope pass(timer_, "analyse");
+  visibility_.analyse(buffers_.bindings(), options.cullMode, {&map_, &pyramid_, &depth_});
 }
 
 void FrameRenderer::drawOccluders() {
   const gl::PassTimer::Scope pass(timer_, "occluders");
+  const bool withDepth = cullView_.cullMode == gpu::kCullHomDepth;
+  gpu::DrawView view = drawView_;
+  view.clipFromWorld = cullView_.clipFromWorld;
+  view.cameraWorld = cullView_.cameraWorld;
+  view.depthGuard = withDepth ? cullView_.occluderTau / cullView_.focalPixels : 0.0F;
+  draw_.setView(view);
+  map_.beginOccluders(withDepth);
+  if (withDepth) glEnable(GL_DEPTH_TEST);
+  draw_.draw(DrawKind::kOpacity, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void FrameRenderer::beginTarget() {
+  target_.bind(width_, height_);
+  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, kBackground.data());
+  glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &kFarDepth);
+}
+
+void FrameRenderer::drawEarly() {
+  const gl::PassTimer::Scope pass(timer_, "early draw");
   gpu::DrawView view = drawView_;
   view.clipFromWorld = cullView_.clipFromWorld;
   view.cameraWorld = cullView_.cameraWorld;
   draw_.setView(view);
-  map_.beginOccluders();
-  draw_.draw(DrawKind::kOpacity, cullView_.detail, buffers_, visibility_.commands(), visibility_.states());
+  glEnable(GL_FRAMEBUFFER_SRGB);  // before the clear: it converts the background too
+  beginTarget();
+  glEnable(GL_DEPTH_TEST);
+  draw_.draw(DrawKind::kShaded, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
 void FrameRenderer::drawFrame(const FrameOptions& options) {
-  const gl::PassTimer::Scope pass(timer_, "draw");
+  const bool twoPhases = options.cullMode == gpu::kCullHiz;
+  const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
   draw_.setView(drawView_);
   target_.bind(width_, height_);
   glEnable(GL_FRAMEBUFFER_SRGB);
   if (options.view == gpu::kViewOcclusion) {
-    draw_.drawMap(map_);
+    viewTarget_.bind(width_, height_);
+    twoPhases ? draw_.drawPyramid(pyramid_, depth_) : draw_.drawMap(map_);
   } else {
-    const float farDepth = 0.0F;  // reversed depth
-    glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, kBackground.data());
-    glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &farDepth);
+    // The early draw is already there, unless it was made from another camera than the picture.
+    const bool frozen = cullView_.clipFromWorld != drawView_.clipFromWorld;
+    if (!twoPhases || frozen) beginTarget();
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
-    draw_.draw(DrawKind::kShaded, options.detail, buffers_, visibility_.commands(), visibility_.states());
+    const auto draw = [&](DrawPart part, const visibility::DrawList& list) {
+      draw_.draw(DrawKind::kShaded, part, options.detail, buffers_, list, visibility_);
+    };
+    if (twoPhases && frozen) draw(DrawPart::kOpaque, early_);
+    draw(DrawPart::kOpaque, late_);
+    if (twoPhases) draw(DrawPart::kBlended, early_);
+    draw(DrawPart::kBlended, late_);
     glDisable(GL_DEPTH_TEST);
   }
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
-FrameStatistics FrameRenderer::readStatistics() const {
-  return countFrame(scene_, cullView_, readStates());
+void FrameRenderer::renderIds() noexcept {
+  const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
+  draw_.setView(drawView_);
+  idTarget_.bind(width_, height_);
+  const std::array<GLuint, 4> nothing = {};
+  glClearNamedFramebufferuiv(idTarget_.id(), GL_COLOR, 0, nothing.data());
+  glClearNamedFramebufferfv(idTarget_.id(), GL_DEPTH, 0, &kFarDepth);
+  glEnable(GL_DEPTH_TEST);
+  for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {
+    if (twoPhases) draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, early_, visibility_);
+    draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, late_, visibility_);
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+void FrameRenderer::setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms) {
+  JAL_CHECK(first <= buffers_.objectCount());
+  JAL_CHECK(transforms.size() <= buffers_.objectCount() - first);
+  buffers_.transforms().write(sizeof(gpu::Transform) * first, std::as_bytes(transforms));
+}
+
+std::optional<FrameStatistics> FrameRenderer::statisticsOf(const std::optional<visibility::FrameRecord>& record) const {
+  if (!record) return std::nullopt;
+  const bool early = record->view.cullMode == gpu::kCullHiz || usesMap(record->view.cullMode);
+  const std::uint64_t dropped =
+      record->late[gpu::kCountDropped] + std::uint64_t{early ? record->early[gpu::kCountDropped] : 0};
+  FrameStatistics statistics = makeStatistics(record->counters, record->view, fullTriangles_, dropped);
+  statistics.frame = record->frame;
+  return statistics;
+}
+
+std::optional<FrameStatistics> FrameRenderer::latestStatistics() {
+  return statisticsOf(statistics_.latest());
+}
+
+FrameStatistics FrameRenderer::readStatistics() {
+  return statisticsOf(statistics_.finish()).value_or(FrameStatistics{});
 }
 
 std::vector<gpu::ObjectState> FrameRenderer::readStates() const {
   return visibility_.states().read<gpu::ObjectState>(buffers_.objectCount());
 }
 
-std::vector<gpu::ScreenRect> FrameRenderer::readRects() const {
-  return visibility_.rects().read<gpu::ScreenRect>(buffers_.objectCount());
+std::vector<gpu::ScreenBox> FrameRenderer::readBoxes() const {
+  return visibility_.boxes().read<gpu::ScreenBox>(buffers_.objectCount());
 }
 
-std::vector<gpu::DrawCommand> FrameRenderer::readCommands() const {
-  return visibility_.commands().read<gpu::DrawCommand>(std::size_t{gpu::kListCount} * buffers_.objectCount());
+std::vector<gpu::uint> FrameRenderer::readMarks() const {
+  return visibility_.marks().read<gpu::uint>(buffers_.objectCount());
 }
 
 }  // namespace jalousie::render

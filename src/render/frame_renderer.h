@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/image.h"
 #include "gl/framebuffer.h"
@@ -12,23 +13,45 @@
 #include "render/frame_statistics.h"
 #include "render/scene_buffers.h"
 #include "scene/camera.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/statistics_pass.h"
 #include "visibility/visibility_pass.h"
 
 namespace jalousie::render {
 
-/// What to draw and how to decide it. Values are those of shared/frame_structs.h.
+/// Error that the levels in the occlusion map of kCullHomDepth may have, pixels (docs/occlusion_map.md).
+inline constexpr float kDefaultOccluderTau = 0.5F;
+
+/// What to draw and how to decide it, frame by frame. Values are those of shared/frame_structs.h.
 struct FrameOptions {
-  gpu::uint cullMode = gpu::kCullHom;
-  gpu::uint lodRule = gpu::kLodLinear;
+  gpu::uint cullMode = gpu::kCullHiz;
+  gpu::uint lodRule = gpu::kLodPixelError;
   gpu::uint detail = gpu::kDetailDiscrete;
   gpu::uint view = gpu::kViewShaded;
+  float tau = 1.0F;  ///< error that kLodPixelError allows, pixels
+  /// Objects whose rectangle covers fewer pixels are not drawn; 0: all are.
+  float minPixels = 0.0F;
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
   gpu::uint maxTessellation = gpu::kMaxTessellationLevel;
   gpu::uint mapLevel = 0;  ///< level shown by kViewOcclusion
   /// World units; objects nearer than this are occluders. Absent: automaticOccluderDistance().
   std::optional<float> occluderDistance;
+  /// Error that levels drawn into the occlusion map may have, pixels. Absent: LOD 0 with kCullHom, as in the thesis,
+  /// kDefaultOccluderTau with kCullHomDepth.
+  std::optional<float> occluderTau;
   float cullThreshold = 1.0F;  ///< opacity from which a texel hides; below 1 is not conservative
-  bool skipDraw = false;       ///< run the visibility passes only: statistics without a picture
+  bool skipDraw = false;       ///< leave out what only the picture needs: statistics without a picture
+};
+
+/// What a renderer allocates and which paths it takes.
+struct RendererOptions {
+  visibility::Submission submission = visibility::Submission::kInstanced;
+  bool fastPaths = true;  ///< use extensions where the driver has them; the results are the same
+  /// Most instances one draw list holds; absent: all objects. What finds no room is not drawn, counted and reported.
+  std::optional<std::uint32_t> capacity = {};
+  /// Scales tau and minPixels by region; only read by the constructor. May be null.
+  const visibility::ImportanceMask* importance = nullptr;
 };
 
 /// Distance to the scene's box plus kOccluderDepth of its diagonal: the front layer of objects, from outside and
@@ -39,40 +62,75 @@ float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorl
 class FrameRenderer {
  public:
   /// Keeps a reference to scene, which must outlive the renderer.
-  FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height);
+  /// Errors: kLimit if the driver's buffers cannot hold the scene.
+  FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                const RendererOptions& options = {});
 
   /// Culls and chooses detail from cullCamera, draws from drawCamera (usually the same).
   void render(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera) noexcept;
+  /// Draws the last frame's objects again, as their numbers.
+  void renderIds() noexcept;
+
+  /// Moves objects: rewrites [first, first + transforms.size()). @pre in range (checked)
+  void setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms);
+  /// gpu::Transform [objectCount], for applications that write it on the GPU.
+  gl::Buffer& transforms() { return buffers_.transforms(); }
+  /// Forgets what was visible: the next frame decides as if it were the first.
+  void resetHistory() { visibility_.resetHistory(); }
+
+  /// The newest figures that have arrived, at the latest two frames late on a GPU that keeps up. Never waits.
+  std::optional<FrameStatistics> latestStatistics();
 
   // After the frame; each waits for the GPU.
+  FrameStatistics readStatistics();
   ImageRgba8 readImage() const { return target_.readRgba8(width_, height_); }
-  FrameStatistics readStatistics() const;
+  std::vector<float> readDepth() const { return target_.readDepth(width_, height_); }
+  /// Object index + 1 per pixel, 0 for the background, row 0 at the bottom; of the last renderIds().
+  std::vector<std::uint32_t> readIds() const { return idTarget_.readRedInteger(width_, height_); }
   std::vector<gpu::ObjectState> readStates() const;
-  std::vector<gpu::ScreenRect> readRects() const;
-  std::vector<gpu::DrawCommand> readCommands() const;
+  std::vector<gpu::ScreenBox> readBoxes() const;
+  std::vector<gpu::uint> readMarks() const;
 
   gl::PassTimer& timer() { return timer_; }
   const gpu::CullView& cullView() const { return cullView_; }
   const visibility::OcclusionMapPass& map() const { return map_; }
+  const visibility::DepthPyramidPass& pyramid() const { return pyramid_; }
+  const visibility::DrawList& earlyList() const { return early_; }
+  const visibility::DrawList& lateList() const { return late_; }
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
  private:
   void setViews(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera);
+  void buildList(visibility::DrawList& list, const char* pass);
+  void findOccluded(const FrameOptions& options);
   void drawOccluders();
+  void drawEarly();
   void drawFrame(const FrameOptions& options);
+  void beginTarget();
+  std::optional<FrameStatistics> statisticsOf(const std::optional<visibility::FrameRecord>& record) const;
 
   const scene::SceneData& scene_;
   std::uint32_t width_;
   std::uint32_t height_;
+  gl::Capabilities capabilities_;
   gpu::uint tessellationLimit_;
+  FullTriangles fullTriangles_;
   SceneBuffers buffers_;
-  visibility::OcclusionMapPass map_;
-  visibility::VisibilityPass visibility_;
-  DrawPass draw_;
   gl::Texture color_;
   gl::Texture depth_;
+  gl::Texture id_;
   gl::Framebuffer target_;
+  gl::Framebuffer viewTarget_;  ///< the colour alone: what the depth view draws into while it reads the depth
+  gl::Framebuffer idTarget_;
+  visibility::OcclusionMapPass map_;
+  visibility::DepthPyramidPass pyramid_;
+  visibility::VisibilityPass visibility_;
+  visibility::DrawListPass lists_;
+  visibility::DrawList early_;
+  visibility::DrawList late_;
+  visibility::StatisticsPass statistics_;
+  DrawPass draw_;
   gl::PassTimer timer_;
   gpu::CullView cullView_{};
   gpu::DrawView drawView_{};

@@ -1,50 +1,43 @@
-// Plain counting on the CPU; runs after the frame, never inside it.
+// Reads the counters by name.
 #include "render/frame_statistics.h"
 
 #include <algorithm>
 
-#include "core/check.h"
 #include "scene/patch_base.h"
-#include "visibility/commands_reference.h"
 
 namespace jalousie::render {
-namespace {
 
-/// Triangles of one object at a level of its path.
-std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint detail, gpu::uint lod,
-                          gpu::uint tessellation) {
-  if (detail == gpu::kDetailDiscrete) return scene.lods[chain.firstLod + lod].triangleCount;
-  return std::uint64_t{scene.lods[chain.patchLod].triangleCount} * scene::tessellatedTriangles(tessellation);
-}
-
-std::size_t histogramSize(const scene::SceneData& scene, const gpu::CullView& view) {
-  if (view.detail == gpu::kDetailTessellation) return view.maxTessellation;
-  std::uint32_t size = 0;
-  for (const gpu::Chain& chain : scene.chains)
-    size = std::max(size, chain.lodCount);
-  return size;
-}
-
-}  // namespace
-
-FrameStatistics countFrame(const scene::SceneData& scene, const gpu::CullView& view,
-                           std::span<const gpu::ObjectState> states) {
-  JAL_CHECK(states.size() == scene.objects.size());
-  FrameStatistics result;
-  result.objects = states.size();
-  result.lodHistogram.resize(histogramSize(scene, view));
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const gpu::ObjectState& state = states[i];
-    const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
-    result.trianglesFull += trianglesOf(scene, chain, view.detail, 0, view.maxTessellation);
-    result.culledFrustum += state.verdict == gpu::kVerdictOutside ? 1 : 0;
-    result.culledOcclusion += state.verdict == gpu::kVerdictOccluded ? 1 : 0;
-    result.occluders += state.verdict == gpu::kVerdictOccluder ? 1 : 0;
-    if (!visibility::isDrawn(state.verdict)) continue;
-    ++result.drawn;
-    result.triangles += trianglesOf(scene, chain, view.detail, state.lod, state.tessellation);
-    ++result.lodHistogram[view.detail == gpu::kDetailTessellation ? state.tessellation - 1 : state.lod];
+FullTriangles countFullTriangles(const scene::SceneData& scene) {
+  FullTriangles full;
+  for (const gpu::Object& object : scene.objects) {
+    const gpu::Chain& chain = scene.chains[object.chain];
+    full.discrete += scene.lods[chain.firstLod].triangleCount;
+    full.patchBase += scene.lods[chain.patchLod].triangleCount;
   }
+  for (const gpu::Chain& chain : scene.chains)
+    full.maxLods = std::max(full.maxLods, chain.lodCount);
+  return full;
+}
+
+FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
+                               const FullTriangles& full, std::uint64_t dropped) {
+  const auto verdicts = [&](gpu::uint verdict) -> std::uint64_t { return counters[gpu::kCounterVerdicts + verdict]; };
+  const bool patches = view.detail == gpu::kDetailTessellation;
+  FrameStatistics result;
+  result.objects = view.objectCount;
+  result.culledFrustum = verdicts(gpu::kVerdictOutside);
+  result.culledOcclusion = verdicts(gpu::kVerdictOccluded);
+  result.culledSmall = verdicts(gpu::kVerdictSmall);
+  result.occluders = verdicts(gpu::kVerdictOccluder);
+  result.drawnStale = verdicts(gpu::kVerdictStale);
+  result.drawnEarly = counters[gpu::kCounterEarly];
+  result.drawn = result.drawnEarly + counters[gpu::kCounterLate];
+  result.dropped = dropped;
+  result.triangles = visibility::triangleSum(counters);
+  result.trianglesFull = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;
+  const gpu::uint levels = patches ? view.maxTessellation : full.maxLods;
+  for (gpu::uint level = 0; level < levels; ++level)
+    result.lodHistogram.push_back(counters[gpu::kCounterLevels + level]);
   return result;
 }
 

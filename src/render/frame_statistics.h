@@ -1,29 +1,42 @@
-// What one frame did, counted from the kernels' verdicts after the frame.
+// What one frame did, from the figures the GPU counted.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "scene/scene_data.h"
 #include "shared/frame_structs.h"
+#include "visibility/frame_counters.h"
 
 namespace jalousie::render {
 
 struct FrameStatistics {
+  std::uint64_t frame = 0;  ///< which frame of its renderer, counted from 1
   std::uint64_t objects = 0;
   std::uint64_t culledFrustum = 0;
+  std::uint64_t culledOcclusion = 0;  ///< hidden and not drawn
+  std::uint64_t culledSmall = 0;      ///< below the contribution threshold
   std::uint64_t occluders = 0;
-  std::uint64_t culledOcclusion = 0;
   std::uint64_t drawn = 0;
-  std::uint64_t triangles = 0;      ///< sent to the final draw
+  std::uint64_t drawnEarly = 0;     ///< of drawn: in the first of two phases
+  std::uint64_t drawnStale = 0;     ///< of drawnEarly: hidden by now
+  std::uint64_t dropped = 0;        ///< instances that a draw list had no room for
+  std::uint64_t triangles = 0;      ///< of the drawn objects
   std::uint64_t trianglesFull = 0;  ///< all objects at their finest
   /// Drawn objects per level: LOD 0, 1, ... of the discrete chains, or tessellation level 1, 2, ... of the patch path.
   std::vector<std::uint64_t> lodHistogram;
 };
 
-/// Counts states against the scene. @param states  gpu::ObjectState [scene.objects.size()]
-FrameStatistics countFrame(const scene::SceneData& scene, const gpu::CullView& view,
-                           std::span<const gpu::ObjectState> states);
+/// Triangles of all objects at their finest, on both detail paths. Counted once per scene.
+struct FullTriangles {
+  std::uint64_t discrete = 0;
+  std::uint64_t patchBase = 0;  ///< before tessellation
+  std::uint32_t maxLods = 0;    ///< longest chain
+};
+FullTriangles countFullTriangles(const scene::SceneData& scene);
+
+/// Figures by name. @param dropped  instances that the frame's lists had no room for
+FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
+                               const FullTriangles& full, std::uint64_t dropped);
 
 }  // namespace jalousie::render

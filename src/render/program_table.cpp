@@ -1,25 +1,41 @@
 // One line per drawing program.
 #include "render/program_table.h"
 
+#include <string_view>
+#include <vector>
+
 namespace jalousie::render {
+namespace {
+
+using Stages = std::vector<std::string_view>;
+
+Stages meshStages(const char* fragments) {
+  return {"render/mesh.vert", fragments};
+}
+Stages patchStages(const char* fragments) {
+  return {"render/patch.vert", "render/patch.tesc", "render/patch.tese", fragments};
+}
+
+}  // namespace
 
 std::span<const gl::ProgramSource> programTable() {
+  constexpr const char* kShade = "render/mesh.frag";
+  constexpr const char* kCover = "render/coverage.frag";
   static const gl::ProgramSource kPrograms[] = {
-      {"shaded solid", {"render/mesh.vert", "render/mesh.frag"}, {}},
-      {"shaded sheet", {"render/mesh.vert", "render/mesh.frag"}, {"JAL_SHEET"}},
-      {"shaded solid patch", {"render/patch.vert", "render/patch.tesc", "render/patch.tese", "render/mesh.frag"}, {}},
-      {"shaded sheet patch",
-       {"render/patch.vert", "render/patch.tesc", "render/patch.tese", "render/mesh.frag"},
-       {"JAL_SHEET"}},
-      {"opacity solid", {"render/mesh.vert", "render/opacity.frag"}, {"JAL_OPACITY"}},
-      {"opacity sheet", {"render/mesh.vert", "render/opacity.frag"}, {"JAL_OPACITY", "JAL_SHEET"}},
-      {"opacity solid patch",
-       {"render/patch.vert", "render/patch.tesc", "render/patch.tese", "render/opacity.frag"},
-       {"JAL_OPACITY"}},
-      {"opacity sheet patch",
-       {"render/patch.vert", "render/patch.tesc", "render/patch.tese", "render/opacity.frag"},
-       {"JAL_OPACITY", "JAL_SHEET"}},
+      {"shaded solid", meshStages(kShade), {"JAL_SHADED"}},
+      {"shaded sheet", meshStages(kShade), {"JAL_SHADED", "JAL_SHEET"}},
+      {"shaded solid patch", patchStages(kShade), {"JAL_SHADED"}},
+      {"shaded sheet patch", patchStages(kShade), {"JAL_SHADED", "JAL_SHEET"}},
+      {"opacity solid", meshStages(kCover), {"JAL_OPACITY"}},
+      {"opacity sheet", meshStages(kCover), {"JAL_OPACITY", "JAL_SHEET"}},
+      {"opacity solid patch", patchStages(kCover), {"JAL_OPACITY"}},
+      {"opacity sheet patch", patchStages(kCover), {"JAL_OPACITY", "JAL_SHEET"}},
+      {"id solid", meshStages(kCover), {"JAL_ID"}},
+      {"id sheet", meshStages(kCover), {"JAL_ID", "JAL_SHEET"}},
+      {"id solid patch", patchStages(kCover), {"JAL_ID"}},
+      {"id sheet patch", patchStages(kCover), {"JAL_ID", "JAL_SHEET"}},
       {"map view", {"render/fullscreen.vert", "render/map_view.frag"}, {}},
+      {"depth view", {"render/fullscreen.vert", "render/map_view.frag"}, {"JAL_DEPTH"}},
   };
   return kPrograms;
 }

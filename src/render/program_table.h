@@ -7,7 +7,7 @@
 
 namespace jalousie::render {
 
-/// Shaded and opacity programs come in the order of the draw lists: solid, sheet, solid patch, sheet patch.
+/// Shaded, opacity and id programs come in the same order: solid, sheet, solid patch, sheet patch.
 enum class ProgramId : unsigned {
   kShadedSolid,
   kShadedSheet,
@@ -17,8 +17,16 @@ enum class ProgramId : unsigned {
   kOpacitySheet,
   kOpacitySolidPatch,
   kOpacitySheetPatch,
+  kIdSolid,
+  kIdSheet,
+  kIdSolidPatch,
+  kIdSheetPatch,
   kMapView,
+  kDepthView,
 };
+
+/// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.
+inline constexpr const char* kDrawParametersDefine = "JAL_DRAW_PARAMETERS";
 
 /// All programs, in the order of ProgramId.
 std::span<const gl::ProgramSource> programTable();

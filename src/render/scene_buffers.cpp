@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include "core/error.h"
 
 namespace jalousie::render {
 namespace {
-
-gl::Buffer makeObjectIds(std::uint32_t count) {
-  std::vector<std::uint32_t> ids(count);
-  std::iota(ids.begin(), ids.end(), 0U);
-  return gl::Buffer::fromArray(std::span<const std::uint32_t>(ids), "object ids");
-}
 
 template <class T>
 gl::Buffer upload(const std::vector<T>& elements, const char* name) {
@@ -33,22 +26,24 @@ gl::Texture makeBaseColors(const scene::TextureLayers& textures) {
   gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {textures.side, textures.side, layers, levels},
                       "base colours");
   for (std::uint32_t i = 0; i < textures.layers.size(); ++i)
-    texture.uploadLayer(i, textures.layers[i].pixels);
-  if (textures.layers.empty())
-    texture.uploadLayer(0, std::vector<std::uint8_t>(std::size_t{4} * textures.side * textures.side, 255));
+    for (std::uint32_t level = 0; level < levels; ++level)
+      texture.uploadLayer(i, level, textures.layers[i][level].pixels);
+  if (textures.layers.empty()) texture.uploadLayer(0, 0, std::vector<std::uint8_t>(4, 255));
   texture.setSampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
-  texture.generateMipmaps();
   return texture;
 }
+
+constexpr GLuint kPerVertex = 0;
+constexpr GLuint kPerInstance = 1;
 
 }  // namespace
 
 SceneBuffers::SceneBuffers(const scene::SceneData& scene)
     : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
-      usesSheets_(scene.usesSheets),
+      usesBlending_(scene.usesBlending),
       vertices_(upload(scene.vertices, "vertices")),
       indices_(upload(scene.indices, "indices")),
-      objectIds_(makeObjectIds(objectCount_)),
+      transforms_(upload(scene.transforms, "transforms")),
       objects_(upload(scene.objects, "objects")),
       chains_(upload(scene.chains, "chains")),
       lods_(upload(scene.lods, "lods")),
@@ -56,10 +51,7 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       baseColors_(makeBaseColors(scene.textures)),
       vertexArray_("scene") {
   using scene::Vertex;
-  constexpr GLuint kPerVertex = 0;
-  constexpr GLuint kPerInstance = 1;
   vertexArray_.setBuffer(kPerVertex, vertices_, sizeof(Vertex), 0);
-  vertexArray_.setBuffer(kPerInstance, objectIds_, sizeof(std::uint32_t), 1);
   const gl::AttributeFormat perVertex[] = {
       {gpu::kAttributePosition, 3, GL_FLOAT, false, false, offsetof(Vertex, position)},
       {gpu::kAttributeNormal, 4, GL_INT_2_10_10_10_REV, true, false, offsetof(Vertex, normal)},
@@ -73,10 +65,14 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
   vertexArray_.setIndexBuffer(indices_);
 }
 
-void SceneBuffers::bindForDrawing() const {
+void SceneBuffers::bindForDrawing(const gl::Buffer& instances) {
+  // An instanced attribute turns baseInstance into the object id (core 4.5).
+  vertexArray_.setBuffer(kPerInstance, instances, sizeof(std::uint32_t), 1);
   vertexArray_.bind();
+  transforms_.bindStorage(gpu::kBindingTransforms);
   objects_.bindStorage(gpu::kBindingObjects);
   chains_.bindStorage(gpu::kBindingChains);
+  instances.bindStorage(gpu::kBindingDrawInstances);
   materials_.bindStorage(gpu::kBindingMaterials);
   baseColors_.bind(gpu::kUnitBaseColor);
 }

@@ -11,23 +11,25 @@
 
 namespace jalousie::render {
 
-/// Uploads a scene once; immutable afterwards.
+/// Uploads a scene once; only the transforms may change afterwards.
 class SceneBuffers {
  public:
   explicit SceneBuffers(const scene::SceneData& scene);
 
   std::uint32_t objectCount() const { return objectCount_; }
-  bool usesSheets() const { return usesSheets_; }
-  visibility::SceneBindings bindings() const { return {&objects_, &chains_, &lods_}; }
-  /// Binds vertex input, scene storage and textures for drawing.
-  void bindForDrawing() const;
+  bool usesBlending() const { return usesBlending_; }
+  visibility::SceneBindings bindings() const { return {&transforms_, &objects_, &chains_, &lods_}; }
+  /// gpu::Transform [objectCount]: the application may write it, from the CPU or from a shader, between frames.
+  gl::Buffer& transforms() { return transforms_; }
+  /// Binds vertex input, scene storage and textures for drawing the objects of an instance list.
+  void bindForDrawing(const gl::Buffer& instances);
 
  private:
   std::uint32_t objectCount_;
-  bool usesSheets_;
+  bool usesBlending_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
-  gl::Buffer objectIds_;  ///< 0, 1, 2, ...: an instanced attribute turns baseInstance into the object id (core 4.5)
+  gl::Buffer transforms_;
   gl::Buffer objects_;
   gl::Buffer chains_;
   gl::Buffer lods_;

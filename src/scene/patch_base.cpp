@@ -70,6 +70,21 @@ glm::vec3 phongPoint(const glm::vec3& barycentric, std::span<const glm::vec3, 3>
   return glm::mix(flat, curved, alpha);
 }
 
+float phongError(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                 std::span<const std::uint32_t> indices, float alpha) {
+  float largest = 0.0F;
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = indices[t + k];
+      const std::uint32_t j = indices[t + (k + 1) % 3];
+      const glm::vec3 curved = 0.5F * (projectOntoPlane(positions[j], positions[i], normals[i]) +
+                                       projectOntoPlane(positions[i], positions[j], normals[j]));
+      largest = std::max(largest, alpha * glm::distance(curved, 0.5F * (positions[i] + positions[j])));
+    }
+  }
+  return 2.0F / 3.0F * largest;
+}
+
 Aabb phongBounds(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                  std::span<const std::uint32_t> indices, float alpha) {
   Aabb box;

@@ -28,6 +28,11 @@ glm::vec3 phongPoint(const glm::vec3& barycentric, std::span<const glm::vec3, 3>
 Aabb phongBounds(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                  std::span<const std::uint32_t> indices, float alpha);
 
+/// Upper bound of the distance between the flat triangles and the curved surface, object units: 2/3 of the largest
+/// offset of an edge's control point. At tessellation level n it falls to 1/n^2 of this.
+float phongError(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+                 std::span<const std::uint32_t> indices, float alpha);
+
 /// Triangles that one triangle becomes at an equal-spaced level: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
 /// n = 1: 1, n = 2: 6, n = 20: 600.
 std::uint32_t tessellatedTriangles(std::uint32_t level);

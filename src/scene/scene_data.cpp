@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/check.h"
 #include "core/error.h"
@@ -16,8 +17,10 @@ namespace {
 using asset::Mesh;
 using asset::Primitive;
 
-bool isSheet(const asset::Material& material) {
-  return material.doubleSided || material.alphaMode != asset::AlphaMode::kOpaque;
+/// Draw list of a material: kListSolid, kListSheet or kListBlend.
+gpu::uint listOf(const asset::Material& material) {
+  if (material.alphaMode == asset::AlphaMode::kBlend) return gpu::kListBlend;
+  return material.doubleSided || material.alphaMode == asset::AlphaMode::kMask ? gpu::kListSheet : gpu::kListSolid;
 }
 
 std::uint32_t packColor(const glm::vec4& color) {
@@ -55,9 +58,9 @@ class Builder {
       addMesh(m);
     for (const asset::Chain& chain : file_.chains)
       addChain(chain);
-    for (const asset::Instance& instance : file_.instances)
-      addObject(instance);
-    scene_.textures = makeTextureLayers(file_.images);
+    addObjects();
+    scene_.binLayout = layoutBins(scene_.chains, scene_.objects, options_.patches);
+    scene_.textures = makeTextureLayers(file_.images, alphaCutoffs());
     scene_.cameras = file_.cameras;
     return std::move(scene_);
   }
@@ -76,22 +79,33 @@ class Builder {
       scene_.indices.push_back(static_cast<std::uint32_t>(offset) + index);
   }
 
-  /// Appends all primitives of a mesh, solid ones first. @param normals  per primitive; null for the file's own
+  /// Per image the cutoff of the first masked material that uses it, so that its mip levels keep their coverage.
+  std::vector<std::optional<float>> alphaCutoffs() const {
+    std::vector<std::optional<float>> cutoffs(file_.images.size());
+    for (const asset::Material& material : file_.materials)
+      if (material.image && material.alphaMode == asset::AlphaMode::kMask && !cutoffs[*material.image])
+        cutoffs[*material.image] = material.alphaCutoff / std::max(material.baseColor.a, 1e-3F);
+    return cutoffs;
+  }
+
+  /// Appends all primitives of a mesh in the order of the draw lists. @param normals  per primitive; null for the
+  /// file's own
   gpu::Lod appendMesh(const Mesh& mesh, const std::vector<std::vector<glm::vec3>>* normals) {
     gpu::Lod lod{};
     lod.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
     const std::size_t baseVertex = scene_.vertices.size();
     lod.baseVertex = static_cast<std::int32_t>(baseVertex);
-    for (const bool sheets : {false, true}) {
+    gpu::uint* const counts[] = {&lod.solidCount, &lod.sheetCount, &lod.blendCount};
+    for (gpu::uint list = 0; list < gpu::kListsPerDetail; ++list) {
       for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
         const Primitive& primitive = mesh.primitives[p];
-        if (isSheet(file_.materials[primitive.material]) != sheets) continue;
+        if (listOf(file_.materials[primitive.material]) != list) continue;
         appendPrimitive(primitive, normals != nullptr ? (*normals)[p] : primitive.normals, baseVertex);
-        (sheets ? lod.sheetCount : lod.solidCount) += static_cast<std::uint32_t>(primitive.indices.size());
+        *counts[list] += static_cast<std::uint32_t>(primitive.indices.size());
       }
     }
-    lod.triangleCount = (lod.solidCount + lod.sheetCount) / 3;
-    scene_.usesSheets |= lod.sheetCount > 0;
+    lod.triangleCount = (lod.solidCount + lod.sheetCount + lod.blendCount) / 3;
+    scene_.usesBlending |= lod.blendCount > 0;
     return lod;
   }
 
@@ -115,13 +129,16 @@ class Builder {
     const std::vector<glm::vec3> normals = averagedNormals(positions, indices);
     bounds.add(phongBounds(positions, normals, indices, kPhongAlpha));
     std::vector<std::vector<glm::vec3>> split;
+    const float error = phongError(positions, normals, indices, kPhongAlpha);
     auto next = normals.begin();
     for (const Primitive& primitive : mesh.primitives) {
       const auto end = next + static_cast<std::ptrdiff_t>(primitive.positions.size());
       split.emplace_back(next, end);
       next = end;
     }
-    return appendMesh(mesh, &split);
+    gpu::Lod lod = appendMesh(mesh, &split);
+    lod.errorObject = error;
+    return lod;
   }
 
   void addChain(const asset::Chain& chain) {
@@ -135,6 +152,7 @@ class Builder {
     for (const asset::LodLevel& level : chain.levels) {
       gpu::Lod lod = meshLods_[level.mesh];
       lod.errorObject = level.errorObject;
+      scene_.hasUnmeasuredLevels |= !std::isfinite(level.errorObject);
       scene_.lods.push_back(lod);
       bounds.add(meshBounds_[level.mesh]);
     }
@@ -150,17 +168,21 @@ class Builder {
     scene_.chains.push_back(result);
   }
 
-  void addObject(const asset::Instance& instance) {
-    const glm::mat4 rows = glm::transpose(instance.worldFromObject);
-    gpu::Object object{rows[0], rows[1], rows[2], instance.chain, 0, 0, 0};
-    if (glm::determinant(glm::mat3(instance.worldFromObject)) < 0.0F) {
-      object.flags |= gpu::kObjectMirrored;
-      scene_.usesSheets = true;
+  /// Sorted by chain, stable: instances of one chain keep the file's order.
+  void addObjects() {
+    std::vector<std::uint32_t> order(file_.instances.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return file_.instances[a].chain < file_.instances[b].chain;
+    });
+    for (const std::uint32_t i : order) {
+      const asset::Instance& instance = file_.instances[i];
+      const gpu::Chain& chain = scene_.chains[instance.chain];
+      scene_.boundsWorld.add(transformed(instance.worldFromObject,
+                                         Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
+      scene_.transforms.push_back(makeTransform(instance.worldFromObject));
+      scene_.objects.push_back({instance.chain, i});
     }
-    const gpu::Chain& chain = scene_.chains[instance.chain];
-    scene_.boundsWorld.add(transformed(instance.worldFromObject,
-                                       Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
-    scene_.objects.push_back(object);
   }
 
   const asset::SceneFile& file_;
@@ -176,8 +198,13 @@ SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options) 
   return Builder(file, options).build();
 }
 
-glm::mat4 worldFromObject(const gpu::Object& object) {
-  return glm::transpose(glm::mat4(object.worldFromObject0, object.worldFromObject1, object.worldFromObject2,
+gpu::Transform makeTransform(const glm::mat4& worldFromObject) {
+  const glm::mat4 rows = glm::transpose(worldFromObject);
+  return {rows[0], rows[1], rows[2]};
+}
+
+glm::mat4 worldFromObject(const gpu::Transform& transform) {
+  return glm::transpose(glm::mat4(transform.worldFromObject0, transform.worldFromObject1, transform.worldFromObject2,
                                   glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)));
 }
 

@@ -7,6 +7,7 @@
 
 #include "asset/scene_file.h"
 #include "core/aabb.h"
+#include "scene/bin_layout.h"
 #include "scene/texture_layers.h"
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
@@ -27,14 +28,17 @@ static_assert(sizeof(Vertex) == 32);
 struct SceneData {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<gpu::Object> objects;
+  std::vector<gpu::Transform> transforms;  ///< [objects.size()]
+  std::vector<gpu::Object> objects;        ///< sorted by chain, within a chain in the file's order
   std::vector<gpu::Chain> chains;
   std::vector<gpu::Lod> lods;
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
+  BinLayout binLayout;
   Aabb boundsWorld;                     ///< of all objects
-  bool usesSheets = false;              ///< whether any object draws through the sheet lists
+  bool usesBlending = false;            ///< whether any level has blended triangles
+  bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
   std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches
 };
 
@@ -48,8 +52,9 @@ struct BuildOptions {
 /// Flattens a file. Errors: kLimit if vertices or indices exceed 32-bit offsets, kUnsupported above kMaxLods levels.
 SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options = {});
 
-/// World transform of an object as a matrix.
-glm::mat4 worldFromObject(const gpu::Object& object);
+/// A matrix as three rows, and back. @pre the last row is 0 0 0 1
+gpu::Transform makeTransform(const glm::mat4& worldFromObject);
+glm::mat4 worldFromObject(const gpu::Transform& transform);
 
 /// Signed normalised 10-10-10-2 packing, x in the low bits.
 std::uint32_t packNormal(const glm::vec3& normal);

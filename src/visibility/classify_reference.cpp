@@ -1,46 +1,84 @@
-// Frustum culling and occluder selection, one box at a time (thesis 3.2, 4.1.2).
+// Frustum culling, screen box and first detail, one object at a time (thesis 3.2, 4.1.2).
 #include "visibility/classify_reference.h"
 
+#include <cmath>
 #include <limits>
+
+#include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 namespace {
+
+constexpr float kRounding = 1.0F / 1048576.0F;
+constexpr float kDepthSlack = 1.0F / 16384.0F;
 
 glm::vec3 boxCorner(const Aabb& box, unsigned corner) {
   return {(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
           (corner & 4U) != 0 ? box.max.z : box.min.z};
 }
 
-unsigned planesBeyond(const glm::vec4& clip) {
-  return (clip.x < -clip.w ? 1U : 0U) | (clip.x > clip.w ? 2U : 0U) | (clip.y < -clip.w ? 4U : 0U) |
-         (clip.y > clip.w ? 8U : 0U) | (clip.z < 0.0F ? 16U : 0U) | (clip.z > clip.w ? 32U : 0U);
+glm::vec3 transformPoint(const gpu::Transform& t, const glm::vec3& p) {
+  const glm::vec4 h(p, 1.0F);
+  return {glm::dot(t.worldFromObject0, h), glm::dot(t.worldFromObject1, h), glm::dot(t.worldFromObject2, h)};
+}
+
+/// Largest error of a clip-space component of any point of the box.
+glm::vec4 clipRounding(const gpu::Transform& t, const Aabb& box, const glm::mat4& clipFromWorld) {
+  const glm::vec4 reach(glm::max(glm::abs(box.min), glm::abs(box.max)), 1.0F);
+  const glm::vec3 world(glm::dot(glm::abs(t.worldFromObject0), reach), glm::dot(glm::abs(t.worldFromObject1), reach),
+                        glm::dot(glm::abs(t.worldFromObject2), reach));
+  return kRounding * (glm::abs(clipFromWorld[0]) * world.x + glm::abs(clipFromWorld[1]) * world.y +
+                      glm::abs(clipFromWorld[2]) * world.z + glm::abs(clipFromWorld[3]));
+}
+
+unsigned planesBeyond(const glm::vec4& clip, const glm::vec3& margin) {
+  return (clip.x < -clip.w - margin.x ? 1U : 0U) | (clip.x > clip.w + margin.x ? 2U : 0U) |
+         (clip.y < -clip.w - margin.y ? 4U : 0U) | (clip.y > clip.w + margin.y ? 8U : 0U) |
+         (clip.z < -margin.z ? 16U : 0U) | (clip.z > clip.w + margin.z ? 32U : 0U);
+}
+
+bool selectsOccluders(gpu::uint cullMode) {
+  return cullMode == gpu::kCullHom || cullMode == gpu::kCullHomDepth;
+}
+
+Aabb boundsOf(const gpu::Chain& chain) {
+  return {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)};
 }
 
 }  // namespace
 
-BoxOnScreen boxOnScreen(const glm::mat4& worldFromObject, const Aabb& boundsObject, const glm::mat4& clipFromWorld,
+BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObject, const glm::mat4& clipFromWorld,
                         const glm::vec2& viewport) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   BoxOnScreen result;
+  result.centerWorld = transformPoint(transform, 0.5F * (boundsObject.min + boundsObject.max));
   glm::vec2 lowest(kInfinity);
   glm::vec2 highest(-kInfinity);
-  float smallestW = kInfinity;
   unsigned beyondAll = 63;
+  const glm::vec4 error = clipRounding(transform, boundsObject, clipFromWorld);
+  const glm::vec3 margin = glm::vec3(error) + error.w;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const glm::vec3 world(worldFromObject * glm::vec4(boxCorner(boundsObject, corner), 1.0F));
+    const glm::vec3 world = transformPoint(transform, boxCorner(boundsObject, corner));
     result.boundsWorld.add(world);
+    result.radiusWorld = glm::max(result.radiusWorld, glm::distance(world, result.centerWorld));
     const glm::vec4 clip = clipFromWorld * glm::vec4(world, 1.0F);
-    beyondAll &= planesBeyond(clip);
-    smallestW = glm::min(smallestW, clip.w);
-    const glm::vec2 pixels = (glm::vec2(clip) / clip.w * 0.5F + 0.5F) * viewport;
-    lowest = glm::min(lowest, pixels);
-    highest = glm::max(highest, pixels);
+    beyondAll &= planesBeyond(clip, margin);
+    const float w = clip.w - error.w;
+    if (!(w > 0.0F && clip.z + margin.z < clip.w)) {
+      result.crossesNear = true;
+      continue;
+    }
+    const glm::vec2 ndc = glm::vec2(clip) / clip.w;
+    const glm::vec2 guard = (glm::vec2(error) + glm::abs(ndc) * error.w) / w * 0.5F * viewport;
+    const glm::vec2 pixels = (ndc * 0.5F + 0.5F) * viewport;
+    lowest = glm::min(lowest, pixels - guard);
+    highest = glm::max(highest, pixels + guard);
+    result.nearestDepth = glm::max(result.nearestDepth, (clip.z + error.z) / w);
   }
+  result.nearestDepth *= 1.0F + kDepthSlack;
   result.outside = beyondAll != 0;
-  result.crossesNear = !(smallestW > 0.0F);
-  lowest = glm::clamp(lowest, glm::vec2(0.0F), viewport);
-  highest = glm::clamp(highest, glm::vec2(0.0F), viewport);
-  result.rect = {lowest.x, lowest.y, highest.x, highest.y};
+  result.rect =
+      glm::vec4(glm::clamp(lowest, glm::vec2(0.0F), viewport), glm::clamp(highest, glm::vec2(0.0F), viewport));
   return result;
 }
 
@@ -48,13 +86,73 @@ float distanceToBox(const glm::vec3& point, const Aabb& box) {
   return glm::length(glm::max(glm::max(box.min - point, point - box.max), glm::vec3(0.0F)));
 }
 
-gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view) {
+float largestScale(const gpu::Transform& t) {
+  const glm::vec3 x(t.worldFromObject0.x, t.worldFromObject1.x, t.worldFromObject2.x);
+  const glm::vec3 y(t.worldFromObject0.y, t.worldFromObject1.y, t.worldFromObject2.y);
+  const glm::vec3 z(t.worldFromObject0.z, t.worldFromObject1.z, t.worldFromObject2.z);
+  const float xy = std::abs(glm::dot(x, y));
+  const float xz = std::abs(glm::dot(x, z));
+  const float yz = std::abs(glm::dot(y, z));
+  return std::sqrt(glm::max(glm::max(glm::dot(x, x) + xy + xz, glm::dot(y, y) + xy + yz), glm::dot(z, z) + xz + yz));
+}
+
+bool isMirrored(const gpu::Transform& t) {
+  return glm::dot(glm::vec3(t.worldFromObject0),
+                  glm::cross(glm::vec3(t.worldFromObject1), glm::vec3(t.worldFromObject2))) < 0.0F;
+}
+
+gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance) {
   if (view.cullMode == gpu::kCullNone) return gpu::kVerdictPending;
   if (box.outside) return gpu::kVerdictOutside;
-  if (view.cullMode == gpu::kCullHom &&
+  if (box.crossesNear && !selectsOccluders(view.cullMode)) return gpu::kVerdictNear;
+  const glm::vec2 size(box.rect.z - box.rect.x, box.rect.w - box.rect.y);
+  if (!box.crossesNear && size.x * size.y * importance < view.minPixels) return gpu::kVerdictSmall;
+  if (selectsOccluders(view.cullMode) &&
       distanceToBox(glm::vec3(view.cameraWorld), box.boundsWorld) < view.occluderDistance)
     return gpu::kVerdictOccluder;
   return box.crossesNear ? gpu::kVerdictNear : gpu::kVerdictPending;
+}
+
+gpu::uint phasesOf(gpu::uint verdict, bool wasVisible, gpu::uint cullMode) {
+  if (verdict == gpu::kVerdictOutside || verdict == gpu::kVerdictSmall) return 0;
+  if (cullMode == gpu::kCullHiz)
+    return verdict == gpu::kVerdictNear || wasVisible ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+  if (verdict == gpu::kVerdictOccluder) return gpu::kMarkEarly | gpu::kMarkLate | gpu::kMarkVisible;
+  return verdict == gpu::kVerdictPending && selectsOccluders(cullMode) ? 0 : gpu::kMarkLate | gpu::kMarkVisible;
+}
+
+Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
+                          const gpu::ObjectState& last, gpu::uint lastMarks, const ImportanceMask* importance) {
+  const gpu::Transform& transform = scene.transforms[objectIndex];
+  const gpu::Chain& chain = scene.chains[scene.objects[objectIndex].chain];
+  const BoxOnScreen box =
+      boxOnScreen(transform, boundsOf(chain), view.clipFromWorld, glm::vec2(view.viewportWidth, view.viewportHeight));
+  const bool hasRect = !box.outside && !box.crossesNear;
+  const glm::vec4 rect = hasRect ? box.rect : glm::vec4(0.0F);
+  const float weight =
+      hasRect && importance != nullptr ? importance->largestIn(rect, view.viewportWidth, view.viewportHeight) : 1.0F;
+  const float pixelsPerUnit =
+      projectedScale(largestScale(transform), view.focalPixels,
+                     glm::distance(glm::vec3(view.cameraWorld), box.centerWorld), box.radiusWorld, view.cameraWorld.w);
+  const float tau = view.tau / weight;
+
+  Classified result;
+  result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0F};
+  const gpu::uint verdict = classify(box, view, weight);
+  const bool wasVisible = (lastMarks & gpu::kMarkVisible) != 0;
+  result.marks = phasesOf(verdict, wasVisible, view.cullMode) | (isMirrored(transform) ? gpu::kMarkMirrored : 0);
+  const bool early = view.cullMode == gpu::kCullHiz && wasVisible && verdict == gpu::kVerdictPending;
+  result.state = {verdict, 0, view.maxTessellation, early ? last.lv : -1.0F};
+  const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
+  if (view.lodRule == gpu::kLodLinear) {
+    result.state.lod = linearLod(result.state.lv, chain.lodCount);
+    result.state.tessellation = tessellationLevel(result.state.lv, view.maxTessellation);
+  } else if (view.lodRule == gpu::kLodPixelError) {
+    result.state.lod = pixelErrorLod(lods, pixelsPerUnit, tau);
+    result.state.tessellation =
+        pixelErrorTessellation(scene.lods[chain.patchLod].errorObject * pixelsPerUnit, tau, view.maxTessellation);
+  }
+  return result;
 }
 
 }  // namespace jalousie::visibility

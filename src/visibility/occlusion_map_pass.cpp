@@ -3,26 +3,32 @@
 
 #include <array>
 
+#include "core/check.h"
 #include "shared/limits.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {
 
-OcclusionMapPass::OcclusionMapPass(const MapLayout& layout)
+OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth)
     : layout_(layout),
       texture_(GL_TEXTURE_2D, GL_R32F, {layout.width, layout.height, 1, layout.levels}, "occlusion map"),
       framebuffer_(texture_, nullptr, "occlusion map level 0"),
       reduceProgram_(programSource(ProgramId::kReduceMap)) {
   texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+  if (depth != nullptr) depthFramebuffer_.emplace(texture_, depth, "occlusion map level 0 with depth");
   texture_.clear(0, 0.0F);  // the padding around the screen has no open pixels, now and for ever
 }
 
-void OcclusionMapPass::beginOccluders() const {
-  framebuffer_.bind(layout_.screenWidth, layout_.screenHeight);
+void OcclusionMapPass::beginOccluders(bool withDepth) const {
+  if (withDepth) JAL_CHECK(depthFramebuffer_.has_value());
+  const gl::Framebuffer& framebuffer = withDepth ? *depthFramebuffer_ : framebuffer_;
+  framebuffer.bind(layout_.screenWidth, layout_.screenHeight);
   glEnable(GL_SCISSOR_TEST);
   glScissor(0, 0, static_cast<GLsizei>(layout_.screenWidth), static_cast<GLsizei>(layout_.screenHeight));
   const std::array<float, 4> open = {1.0F, 1.0F, 1.0F, 1.0F};
-  glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, open.data());
+  glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, open.data());
+  const float farDepth = 0.0F;  // reversed depth
+  if (withDepth) glClearNamedFramebufferfv(framebuffer.id(), GL_DEPTH, 0, &farDepth);
   glDisable(GL_SCISSOR_TEST);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "shared/limits.h"
+#include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -14,12 +15,12 @@ struct Range {
   float highest = 0.0F;
 };
 
-Range opacityRange(const OcclusionMapReference& map, const TexelRange& pixels, std::uint32_t level) {
+Range opacityRange(const Cover& cover, const TexelRange& pixels, std::uint32_t level, float nearestDepth) {
   const TexelRange texels = pixels.atLevel(level);
   Range range;
   for (std::uint32_t y = texels.firstY; y <= texels.lastY; ++y) {
     for (std::uint32_t x = texels.firstX; x <= texels.lastX; ++x) {
-      const float value = map.opacity(x, y, level);
+      const float value = cover.opacity(x, y, level, nearestDepth);
       range.lowest = std::min(range.lowest, value);
       range.highest = std::max(range.highest, value);
     }
@@ -27,8 +28,12 @@ Range opacityRange(const OcclusionMapReference& map, const TexelRange& pixels, s
   return range;
 }
 
-std::uint32_t lomOf(const OcclusionMapReference& map, const gpu::ScreenRect& rect) {
-  return std::min(levelForExtent(std::max(rect.maxX - rect.minX, rect.maxY - rect.minY)), map.layout().levels - 1);
+glm::vec4 rectOf(const gpu::ScreenBox& box) {
+  return {box.minX, box.minY, box.maxX, box.maxY};
+}
+
+std::uint32_t lomOf(const MapLayout& layout, const glm::vec4& rect) {
+  return std::min(levelForExtent(std::max(rect.z - rect.x, rect.w - rect.y)), layout.levels - 1);
 }
 
 }  // namespace
@@ -40,16 +45,16 @@ std::uint32_t levelForExtent(float extentPixels) {
   return level;
 }
 
-TexelRange touchedPixels(const gpu::ScreenRect& rect, std::uint32_t width, std::uint32_t height) {
+TexelRange touchedPixels(const glm::vec4& rect, std::uint32_t width, std::uint32_t height) {
   const auto first = [](float lower, std::uint32_t limit) {
     return std::min(static_cast<std::uint32_t>(std::floor(lower)), limit - 1);
   };
   const auto last = [](float upper, std::uint32_t start, std::uint32_t limit) {
     return std::max(std::min(static_cast<std::uint32_t>(std::ceil(upper)), limit), start + 1) - 1;
   };
-  const std::uint32_t firstX = first(rect.minX, width);
-  const std::uint32_t firstY = first(rect.minY, height);
-  return {firstX, firstY, last(rect.maxX, firstX, width), last(rect.maxY, firstY, height)};
+  const std::uint32_t firstX = first(rect.x, width);
+  const std::uint32_t firstY = first(rect.y, height);
+  return {firstX, firstY, last(rect.z, firstX, width), last(rect.w, firstY, height)};
 }
 
 BlockSpan blockSpan(std::uint32_t firstPixel, std::uint32_t lastPixel, float lower, float upper, std::uint32_t level) {
@@ -63,31 +68,64 @@ BlockSpan blockSpan(std::uint32_t firstPixel, std::uint32_t lastPixel, float low
   return span;
 }
 
-AnalysedBlock analysedBlock(const OcclusionMapReference& map, const gpu::ScreenRect& rect) {
-  const TexelRange pixels = touchedPixels(rect, map.layout().screenWidth, map.layout().screenHeight);
-  const std::uint32_t lom = lomOf(map, rect);
+float Cover::opacity(std::uint32_t x, std::uint32_t y, std::uint32_t level, float nearestDepth) const {
+  if (pyramid != nullptr && !(pyramid->farthest(x, y, level) > nearestDepth)) return 0.0F;
+  return map != nullptr ? map->opacity(x, y, level) : 1.0F;
+}
+
+AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
+  const glm::vec4 rect = rectOf(box);
+  const TexelRange pixels = touchedPixels(rect, cover.layout().screenWidth, cover.layout().screenHeight);
+  const std::uint32_t lom = lomOf(cover.layout(), rect);
   AnalysedBlock block;
   block.level = lom > gpu::kBlockLevels ? lom - gpu::kBlockLevels : 0;
-  block.x = blockSpan(pixels.firstX, pixels.lastX, rect.minX, rect.maxX, block.level);
-  block.y = blockSpan(pixels.firstY, pixels.lastY, rect.minY, rect.maxY, block.level);
+  block.x = blockSpan(pixels.firstX, pixels.lastX, rect.x, rect.z, block.level);
+  block.y = blockSpan(pixels.firstY, pixels.lastY, rect.y, rect.w, block.level);
   for (std::uint32_t j = 0; j < block.y.count; ++j)
     for (std::uint32_t i = 0; i < block.x.count; ++i)
-      block.opacity.push_back(map.opacity(block.x.first + i, block.y.first + j, block.level));
+      block.opacity.push_back(cover.opacity(block.x.first + i, block.y.first + j, block.level, box.nearestDepth));
   return block;
 }
 
-OverlapResult testOverlap(const OcclusionMapReference& map, const gpu::ScreenRect& rect, float cullThreshold) {
-  const TexelRange pixels = touchedPixels(rect, map.layout().screenWidth, map.layout().screenHeight);
-  const std::uint32_t lom = lomOf(map, rect);
+OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels) {
+  const auto width = static_cast<float>(cover.layout().screenWidth);
+  const auto height = static_cast<float>(cover.layout().screenHeight);
+  gpu::ScreenBox box = given;
+  box.minX = std::clamp(given.minX - guardPixels, 0.0F, width);
+  box.minY = std::clamp(given.minY - guardPixels, 0.0F, height);
+  box.maxX = std::clamp(given.maxX + guardPixels, 0.0F, width);
+  box.maxY = std::clamp(given.maxY + guardPixels, 0.0F, height);
+  const glm::vec4 rect = rectOf(box);
+  const TexelRange pixels = touchedPixels(rect, cover.layout().screenWidth, cover.layout().screenHeight);
+  const std::uint32_t lom = lomOf(cover.layout(), rect);
   const std::uint32_t lowest = lom > gpu::kMaxDescent ? lom - gpu::kMaxDescent : 0;
-  Range range = opacityRange(map, pixels, lom);
-  for (std::uint32_t level = lom; range.lowest < cullThreshold && range.highest > 0.0F && level > lowest;)
-    range = opacityRange(map, pixels, --level);
+  Range range = opacityRange(cover, pixels, lom, box.nearestDepth);
+  for (std::uint32_t level = lom; range.lowest < cullThreshold && level > lowest;) {
+    if (!cover.depthAware() && range.highest <= 0.0F) break;
+    range = opacityRange(cover, pixels, --level, box.nearestDepth);
+  }
 
   if (range.lowest >= cullThreshold) return {gpu::kVerdictOccluded, 1.0F};
-  if (range.highest <= 0.0F) return {gpu::kVerdictOpen, -1.0F};
-  const AnalysedBlock block = analysedBlock(map, rect);
+  if (range.highest <= 0.0F && !cover.depthAware()) return {gpu::kVerdictOpen, -1.0F};
+  const AnalysedBlock block = analysedBlock(cover, box);
+  if (*std::max_element(block.opacity.begin(), block.opacity.end()) <= 0.0F) return {gpu::kVerdictOpen, -1.0F};
   return {gpu::kVerdictPartial, levelOfVisibilityOfOpacity({block.x.count, block.y.count, block.opacity})};
+}
+
+void applyOverlap(const OverlapResult& result, const gpu::CullView& view, const gpu::Chain& chain,
+                  gpu::ObjectState& state, gpu::uint& marks) {
+  const bool early = (marks & gpu::kMarkEarly) != 0;
+  const bool hidden = result.verdict == gpu::kVerdictOccluded;
+  state.lv = result.lv;
+  state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;
+  if (hidden) {
+    marks &= ~gpu::kMarkVisible;
+    return;
+  }
+  marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
+  if (early || view.lodRule != gpu::kLodLinear) return;
+  state.lod = linearLod(state.lv, chain.lodCount);
+  state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
 }
 
 }  // namespace jalousie::visibility

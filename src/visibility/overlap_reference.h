@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
 
 #include "shared/frame_structs.h"
+#include "shared/scene_structs.h"
+#include "visibility/depth_pyramid_reference.h"
 #include "visibility/level_of_visibility.h"
 #include "visibility/occlusion_map_reference.h"
 
@@ -20,8 +24,8 @@ struct TexelRange {
   }
 };
 
-/// Pixels that a clipped rectangle touches; never empty.
-TexelRange touchedPixels(const gpu::ScreenRect& rect, std::uint32_t width, std::uint32_t height);
+/// Pixels that a clipped rectangle (min.xy, max.xy) touches; never empty.
+TexelRange touchedPixels(const glm::vec4& rect, std::uint32_t width, std::uint32_t height);
 
 /// First texel and count (at most 16) of the analysed block along one dimension.
 struct BlockSpan {
@@ -30,19 +34,37 @@ struct BlockSpan {
 /// A span that touches 17 texels loses the end that [lower, upper] (pixels) covers less.
 BlockSpan blockSpan(std::uint32_t firstPixel, std::uint32_t lastPixel, float lower, float upper, std::uint32_t level);
 
+/// What hides: an occlusion map (hom), a depth pyramid (hiz), or the map where its depths lie in front (hom-depth).
+/// Borrows both.
+struct Cover {
+  const OcclusionMapReference* map = nullptr;
+  const DepthPyramidReference* pyramid = nullptr;
+
+  const MapLayout& layout() const { return map != nullptr ? map->layout() : pyramid->layout(); }
+  bool depthAware() const { return pyramid != nullptr; }
+  /// Covered share of a texel's pixels as an object at a depth sees it, in [0, 1].
+  float opacity(std::uint32_t x, std::uint32_t y, std::uint32_t level, float nearestDepth) const;
+};
+
 /// The block four levels below LOM that the analysis looks at.
 struct AnalysedBlock {
   std::uint32_t level = 0;
   BlockSpan x{}, y{};
   std::vector<float> opacity;  ///< [y.count * x.count], row by row
 };
-AnalysedBlock analysedBlock(const OcclusionMapReference& map, const gpu::ScreenRect& rect);
+AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box);
 
 /// Verdict and LV of one occludee. @param cullThreshold  opacity from which a texel hides, (0, 1]
+/// @param guardPixels  the rectangle grows by this much on every side: the occluders' own error (hom-depth)
 struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial
   float lv = -1.0F;                       ///< normalised
 };
-OverlapResult testOverlap(const OcclusionMapReference& map, const gpu::ScreenRect& rect, float cullThreshold);
+OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F);
+
+/// What the kernel makes of a pending object: verdict, lv, phase, and with kLodLinear the detail of what is drawn late.
+/// @pre state.verdict is kVerdictPending; view.analyse is 1
+void applyOverlap(const OverlapResult& result, const gpu::CullView& view, const gpu::Chain& chain,
+                  gpu::ObjectState& state, gpu::uint& marks);
 
 }  // namespace jalousie::visibility

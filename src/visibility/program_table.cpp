@@ -7,8 +7,21 @@ std::span<const gl::ProgramSource> programTable() {
   static const gl::ProgramSource kPrograms[] = {
       {"classify", {"visibility/classify.comp"}, {}},
       {"reduce map", {"visibility/reduce_map.comp"}, {}},
-      {"analyse", {"visibility/analyse.comp"}, {}},
-      {"emit commands", {"visibility/emit_commands.comp"}, {}},
+      {"analyse map", {"visibility/analyse.comp"}, {}},
+      {"analyse map and depth", {"visibility/analyse.comp"}, {"JAL_HOM_DEPTH"}},
+      {"analyse depth", {"visibility/analyse.comp"}, {"JAL_HIZ"}},
+      {"reduce depth, first level", {"visibility/reduce_depth.comp"}, {"JAL_FROM_DEPTH"}},
+      {"reduce depth, first level, covered", {"visibility/reduce_depth.comp"}, {"JAL_FROM_DEPTH", "JAL_COVERED"}},
+      {"reduce depth", {"visibility/reduce_depth.comp"}, {}},
+      {"reduce depth, min filter", {"visibility/reduce_depth.comp"}, {"JAL_MINMAX"}},
+      {"bin objects", {"visibility/bin_objects.comp"}, {}},
+      {"scan entries", {"visibility/scan.comp"}, {}},
+      {"scan sums", {"visibility/scan.comp"}, {"JAL_SCAN_SUMS"}},
+      {"scatter", {"visibility/scatter.comp"}, {}},
+      {"scatter per object", {"visibility/scatter.comp"}, {"JAL_PER_OBJECT"}},
+      {"write commands", {"visibility/write_commands.comp"}, {}},
+      {"write counts", {"visibility/write_commands.comp"}, {"JAL_PER_OBJECT"}},
+      {"count states", {"visibility/count_states.comp"}, {}},
   };
   return kPrograms;
 }

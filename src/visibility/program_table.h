@@ -7,7 +7,25 @@
 
 namespace jalousie::visibility {
 
-enum class ProgramId : unsigned { kClassify, kReduceMap, kAnalyse, kEmitCommands };
+enum class ProgramId : unsigned {
+  kClassify,
+  kReduceMap,
+  kAnalyseMap,       ///< kCullHom
+  kAnalyseMapDepth,  ///< kCullHomDepth
+  kAnalyseDepth,     ///< kCullHiz
+  kReduceDepthFirst,
+  kReduceDepthFirstCovered,
+  kReduceDepth,
+  kReduceDepthMinMax,  ///< needs Capabilities::minMaxFilter
+  kBinObjects,
+  kScanEntries,
+  kScanSums,
+  kScatter,
+  kScatterPerObject,
+  kWriteCommands,
+  kWriteCounts,
+  kCountStates,
+};
 
 /// All programs, in the order of ProgramId.
 std::span<const gl::ProgramSource> programTable();

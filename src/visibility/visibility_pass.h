@@ -1,59 +1,79 @@
-// The visibility kernels: classify, analyse, emit; and the buffers they fill.
+// The kernels that decide, per object: classify and analyse; and the buffers they fill.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/texture.h"
 #include "shared/frame_structs.h"
 #include "shared/scene_structs.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/importance_mask.h"
 #include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::visibility {
 
-/// The scene's buffers, owned by the caller, bound as long as the pass runs.
+/// The scene's buffers, owned by the caller, bound as long as a pass runs.
 struct SceneBindings {
-  const gl::Buffer* objects = nullptr;  ///< gpu::Object [objectCount]
-  const gl::Buffer* chains = nullptr;   ///< gpu::Chain
-  const gl::Buffer* lods = nullptr;     ///< gpu::Lod
+  const gl::Buffer* transforms = nullptr;  ///< gpu::Transform [objectCount]
+  const gl::Buffer* objects = nullptr;     ///< gpu::Object [objectCount]
+  const gl::Buffer* chains = nullptr;      ///< gpu::Chain
+  const gl::Buffer* lods = nullptr;        ///< gpu::Lod
 };
 
-/// Decides, for every object and without a read-back, whether and how finely it is drawn.
-/// Call order per frame: setView, classify, [draw occluders, map.reduce, analyse,] emitCommands.
+/// What the overlap test looks at; which of them depends on the cull mode.
+struct CoverTextures {
+  const OcclusionMapPass* map = nullptr;      ///< kCullHom, kCullHomDepth
+  const DepthPyramidPass* pyramid = nullptr;  ///< kCullHomDepth, kCullHiz
+  const gl::Texture* depth = nullptr;         ///< level 0 of the pyramid
+};
+
+/// Decides, for every object and without a read-back, whether it is drawn, when, and how finely.
+/// Call order per frame: setView, classify, [draw what is marked early, build map or pyramid, analyse].
 class VisibilityPass {
  public:
   /// Allocates every buffer for objectCount objects; nothing is allocated later.
-  explicit VisibilityPass(std::uint32_t objectCount);
+  explicit VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance = nullptr);
 
-  /// Uploads camera and policy for the kernels. @pre view.objectCount equals the constructor's (checked)
-  void setView(const gpu::CullView& view);
-  /// Frustum and occluder test; with kCullHom also the occluders' draw commands. Leaves COMMAND and STORAGE barriers.
+  /// Uploads camera and policy for the kernels; fills in the importance mask's size.
+  /// @pre view.objectCount equals the constructor's (checked)
+  void setView(gpu::CullView view);
+  /// Verdict, screen box, phase and first detail of every object. Leaves a STORAGE barrier.
   void classify(const SceneBindings& scene);
-  /// Overlap test and LV of the occludees. Leaves a STORAGE barrier.
-  void analyse(const SceneBindings& scene, const OcclusionMapPass& map);
-  /// Detail and draw commands of every object. Leaves COMMAND and STORAGE barriers.
-  void emitCommands(const SceneBindings& scene);
+  /// Overlap test and LV of the objects that classify left pending. Leaves a STORAGE barrier.
+  void analyse(const SceneBindings& scene, gpu::uint cullMode, const CoverTextures& cover);
+  /// Forgets what was visible in the last frame.
+  void resetHistory() { marks_.clear(); }
 
   std::uint32_t objectCount() const { return objectCount_; }
-  const gl::Buffer& states() const { return states_; }      ///< gpu::ObjectState [objectCount]
-  const gl::Buffer& rects() const { return rects_; }        ///< gpu::ScreenRect [objectCount]
-  const gl::Buffer& commands() const { return commands_; }  ///< gpu::DrawCommand [kListCount][objectCount]
+  const gl::Buffer& view() const { return view_; }      ///< gpu::CullView
+  const gl::Buffer& states() const { return states_; }  ///< gpu::ObjectState [objectCount]
+  const gl::Buffer& boxes() const { return boxes_; }    ///< gpu::ScreenBox [objectCount]
+  const gl::Buffer& marks() const { return marks_; }    ///< kMark... [objectCount]
   /// For tests that feed the kernels given input.
   gl::Buffer& statesForTest() { return states_; }
-  gl::Buffer& rectsForTest() { return rects_; }
+  gl::Buffer& boxesForTest() { return boxes_; }
+  gl::Buffer& marksForTest() { return marks_; }
 
  private:
-  void dispatch(const gl::Program& program, const SceneBindings& scene, GLbitfield barriers) const;
+  void dispatch(const gl::Program& program, const SceneBindings& scene) const;
 
   std::uint32_t objectCount_;
   gl::Program classifyProgram_;
-  gl::Program analyseProgram_;
-  gl::Program emitProgram_;
+  gl::Program analyseMapProgram_;
+  gl::Program analyseMapDepthProgram_;
+  gl::Program analyseDepthProgram_;
   gl::Buffer view_;
   gl::Buffer cosines_;
   gl::Buffer states_;
-  gl::Buffer rects_;
-  gl::Buffer commands_;
+  gl::Buffer boxes_;
+  gl::Buffer marks_;
+  std::optional<gl::Texture> importance_;
+  gpu::uint importanceWidth_ = 0;
+  gpu::uint importanceHeight_ = 0;
 };
 
 }  // namespace jalousie::visibility

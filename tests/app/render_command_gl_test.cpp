@@ -79,14 +79,33 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
   EXPECT_EQ(image.width, 123U);
   EXPECT_EQ(image.height, 45U);
   const nlohmann::json stats = json("stats.json");
-  for (const char* key :
-       {"renderer", "width", "height", "mode", "lod", "lv", "detail", "objects", "culled_frustum", "occluders",
-        "culled_occlusion", "drawn", "triangles", "triangles_full", "lod_histogram", "passes", "frame_ms"})
+  for (const char* key : {"renderer",
+                          "width",
+                          "height",
+                          "mode",
+                          "lod",
+                          "lv",
+                          "detail",
+                          "objects",
+                          "culled_frustum",
+                          "occluders",
+                          "culled_occlusion",
+                          "culled_small",
+                          "drawn",
+                          "drawn_early",
+                          "drawn_stale",
+                          "dropped",
+                          "triangles",
+                          "triangles_full",
+                          "lod_histogram",
+                          "passes",
+                          "frame_ms"})
     EXPECT_TRUE(stats.contains(key)) << key;
   EXPECT_EQ(stats["objects"], 9);
   EXPECT_EQ(stats["drawn"], 9);
   EXPECT_EQ(stats["triangles_full"], 9 * 2 * 16 * 7);
-  EXPECT_EQ(stats["lod"], "finest");
+  EXPECT_EQ(stats["lod"], "pixel-error");
+  EXPECT_EQ(stats["tau"], 1.0);
 }
 
 TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
@@ -97,9 +116,16 @@ TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
       {"--mode", "hom", "--view", "lod", "--detail", "tessellation", "--max-tessellation", "3"},
       {"--mode", "hom", "--view", "occlusion", "--map-level", "2", "--occluder-distance", "5"},
       {"--eye", "0,0,9", "--look", "0,0,0", "--freeze-eye", "3,0,9", "--freeze-look", "0,0,0"},
-      {"--repeat", "3", "--cull-threshold", "0.95"},
+      {"--mode", "hom", "--repeat", "3", "--cull-threshold", "0.95"},
+      {"--mode", "hom-depth", "--occluder-tau", "2", "--view", "occlusion"},
+      {"--mode", "hiz", "--lod", "linear", "--view", "phase"},
+      {"--mode", "hiz", "--tau", "3", "--min-pixels", "4", "--view", "occlusion", "--map-level", "2"},
+      {"--mode", "hiz", "--draws", "per-object", "--core"},
+      {"--mode", "frustum", "--importance", "MASK"},
   };
+  asset::savePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, file("mask.png"));
   for (std::vector<std::string> arguments : variants) {
+    std::replace(arguments.begin(), arguments.end(), std::string("MASK"), file("mask.png"));
     arguments.insert(arguments.begin(), {"render", scene(), "--size", "64x64", "-o", file("variant.png")});
     const ProgramResult result = jalousie(arguments);
     EXPECT_EQ(result.exitCode, 0) << result.standardError;
@@ -112,7 +138,27 @@ TEST_F(RenderCommand, StatsOnlyPrintsPureJson) {
   ASSERT_EQ(result.exitCode, 0) << result.standardError;
   const nlohmann::json stats = nlohmann::json::parse(result.standardOutput);
   EXPECT_FALSE(stats["passes"].contains("draw"));
-  EXPECT_EQ(stats["mode"], "hom");
+  EXPECT_EQ(stats["mode"], "hiz");
+}
+
+TEST_F(RenderCommand, EveryPathGivesTheSamePicture) {
+  const auto bytes = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"render", scene(), "-o", file("path.png"), "--size", "200x100"});
+    EXPECT_EQ(jalousie(arguments).exitCode, 0);
+    return asset::loadImage(file("path.png")).pixels;
+  };
+  const auto image = bytes({});
+  EXPECT_EQ(bytes({"--mode", "full"}), image);
+  EXPECT_EQ(bytes({"--mode", "frustum"}), image);
+  EXPECT_EQ(bytes({"--draws", "per-object"}), image);
+  EXPECT_EQ(bytes({"--core"}), image);
+}
+
+TEST_F(RenderCommand, FullListsAreReported) {
+  const ProgramResult result = jalousie({"render", scene(), "--capacity", "2", "--stats-only", "--json", "-"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_NE(result.standardError.find("no room"), std::string::npos) << result.standardError;
+  EXPECT_EQ(nlohmann::json::parse(result.standardOutput)["dropped"], 7);
 }
 
 TEST_F(RenderCommand, SameCommandSameBytes) {
@@ -139,6 +185,14 @@ TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
       {"--mode", "frustum", "--lod", "linear"},
       {"--mode", "full", "--view", "occlusion"},
       {"--mode", "frustum", "--occluder-distance", "3"},
+      {"--mode", "hiz", "--cull-threshold", "0.9"},
+      {"--mode", "hiz", "--occluder-tau", "1"},
+      {"--mode", "frustum", "--view", "phase"},
+      {"--mode", "full", "--min-pixels", "3"},
+      {"--lod", "finest", "--tau", "3"},
+      {"--tau", "-1"},
+      {"--capacity", "0"},
+      {"--draws", "magic"},
       {"--eye", "0,0,5"},
       {"--eye", "0,0,5", "--look", "0,0,5"},
       {"--eye", "0,0", "--look", "0,0,5"},

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "support/gl_test.h"
@@ -16,8 +19,11 @@ namespace {
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 180;
 
+/// The thesis' pipeline.
 FrameOptions homOptions() {
   FrameOptions options;
+  options.cullMode = gpu::kCullHom;
+  options.lodRule = gpu::kLodLinear;
   options.occluderDistance = test::kWallOccluderDistance;
   return options;
 }
@@ -62,11 +68,12 @@ TEST_F(FrameRendererGl, EveryOptionPermutationDrawsAPictureWithACleanLog) {
     const scene::SceneData scene = wallScene(0.3F, detail == gpu::kDetailTessellation);
     FrameRenderer renderer(scene, kWidth, kHeight);
     const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-    for (const gpu::uint mode : {gpu::kCullNone, gpu::kCullFrustum, gpu::kCullHom}) {
-      for (const gpu::uint rule : {gpu::kLodFinest, gpu::kLodLinear}) {
-        for (const gpu::uint view : {gpu::kViewShaded, gpu::kViewLod, gpu::kViewLv, gpu::kViewOcclusion}) {
-          const bool needsMap = rule == gpu::kLodLinear || view >= gpu::kViewLv;
-          if (needsMap && mode != gpu::kCullHom) continue;
+    for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
+      for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodPixelError; ++rule) {
+        for (gpu::uint view = gpu::kViewShaded; view <= gpu::kViewPhase; ++view) {
+          const bool needsCover = rule == gpu::kLodLinear || view == gpu::kViewLv || view == gpu::kViewOcclusion;
+          if (needsCover && mode < gpu::kCullHom) continue;
+          if (view == gpu::kViewPhase && mode != gpu::kCullHiz) continue;
           FrameOptions options = homOptions();
           options.cullMode = mode;
           options.lodRule = rule;
@@ -156,11 +163,11 @@ TEST_F(FrameRendererGl, WholeFrameAgreesWithTheTwins) {
   renderer.render(homOptions(), camera, camera);
   const visibility::OcclusionMapReference map(renderer.map().layout(), renderer.map().readOpenPixels());
   const std::vector<gpu::ObjectState> states = renderer.readStates();
-  const std::vector<gpu::ScreenRect> rects = renderer.readRects();
+  const std::vector<gpu::ScreenBox> boxes = renderer.readBoxes();
   std::size_t compared = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (states[i].verdict < gpu::kVerdictOpen && states[i].verdict != gpu::kVerdictOccluded) continue;
-    const visibility::OverlapResult expected = visibility::testOverlap(map, rects[i], 1.0F);
+    const visibility::OverlapResult expected = visibility::testOverlap({&map, nullptr}, boxes[i], 1.0F);
     EXPECT_EQ(states[i].verdict, expected.verdict) << i;
     EXPECT_NEAR(states[i].lv, expected.lv, 2e-5F) << i;
     ++compared;
@@ -244,7 +251,174 @@ TEST_F(FrameRendererGl, PassesAreTimedByName) {
   std::vector<std::string> names;
   for (const gl::PassTime& pass : renderer.timer().passes())
     names.emplace_back(pass.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"classify", "occluders", "reduce", "analyse", "emit", "draw"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "occluders", "reduce map", "analyse",
+                                             "late list", "draw", "count"}));
+}
+
+TEST_F(FrameRendererGl, TwoPhasePassesAreTimedByName) {
+  const scene::SceneData scene = wallScene(0.3F);
+  FrameRenderer renderer(scene, 64, 64);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  renderer.timer().setEnabled(true);
+  renderer.render({}, camera, camera);
+  std::vector<std::string> names;
+  for (const gl::PassTime& pass : renderer.timer().passes())
+    names.emplace_back(pass.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "early draw", "depth pyramid", "analyse",
+                                             "late list", "late draw", "count"}));
+}
+
+TEST_F(FrameRendererGl, SubmissionsAndFastPathsGiveTheSameImageAndDepth) {
+  asset::SceneFile file = test::randomSpheres(400, 6.0F, 21);
+  file.materials.push_back(file.materials.front());
+  file.materials.back().alphaMode = asset::AlphaMode::kBlend;
+  file.materials.back().baseColor.a = 0.6F;
+  file.meshes.push_back({"glass", {test::box(glm::vec3(1.0F), 1)}});
+  file.chains.push_back({"glass", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
+  for (std::size_t i = 0; i < file.instances.size(); i += 7)
+    file.instances[i].chain = 1;
+  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == gpu::kDetailTessellation});
+    const scene::Camera camera = scene::lookAt({0, 1, 13}, {0, 0, 0}, scene.boundsWorld);
+    for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHiz}) {
+      std::optional<ImageRgba8> image;
+      std::vector<float> depth;
+      for (const visibility::Submission submission :
+           {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
+        for (const bool fastPaths : {false, true}) {
+          FrameRenderer renderer(scene, 333, 197, {.submission = submission, .fastPaths = fastPaths});
+          FrameOptions options;
+          options.cullMode = mode;
+          options.detail = detail;
+          options.maxTessellation = 6;
+          for (int frame = 0; frame < 3; ++frame)
+            renderer.render(options, camera, camera);
+          if (!image) {
+            image = renderer.readImage();
+            depth = renderer.readDepth();
+          }
+          EXPECT_EQ(renderer.readImage().pixels, image->pixels) << "detail " << detail << " mode " << mode;
+          EXPECT_EQ(renderer.readDepth(), depth);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(FrameRendererGl, StatisticsArriveTwoFramesLateWithoutWaiting) {
+  const scene::SceneData scene = wallScene(0.3F);
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
+  for (std::uint64_t frame = 1; frame <= 6; ++frame) {
+    renderer.render({}, camera, camera);
+    glFlush();
+    const std::optional<FrameStatistics> statistics = renderer.latestStatistics();
+    EXPECT_LE(statistics ? statistics->frame : 0, frame);
+  }
+  glFinish();
+  ASSERT_TRUE(renderer.latestStatistics().has_value());
+  EXPECT_EQ(renderer.latestStatistics()->frame, 6U);
+  EXPECT_EQ(renderer.readStatistics().drawn, renderer.latestStatistics()->drawn);
+}
+
+TEST_F(FrameRendererGl, StatisticsEqualACountOfTheStates) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 14));
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = scene::lookAt({0, 0, 12}, {0, 0, 0}, scene.boundsWorld);
+  for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
+    FrameOptions options;
+    options.cullMode = mode;
+    renderer.render(options, camera, camera);
+    renderer.render(options, camera, camera);
+    const FrameStatistics expected =
+        makeStatistics(visibility::countStates(scene, renderer.cullView(), renderer.readStates(), renderer.readMarks()),
+                       renderer.cullView(), countFullTriangles(scene), 0);
+    const FrameStatistics actual = renderer.readStatistics();
+    EXPECT_EQ(actual.drawn, expected.drawn);
+    EXPECT_EQ(actual.triangles, expected.triangles);
+    EXPECT_EQ(actual.lodHistogram, expected.lodHistogram);
+    EXPECT_EQ(actual.drawn + actual.culledFrustum + actual.culledOcclusion + actual.culledSmall, 300U);
+  }
+}
+
+TEST_F(FrameRendererGl, ListsThatRunOutDropCountAndReport) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 14));
+  const scene::Camera camera = scene::lookAt({0, 0, 30}, {0, 0, 0}, scene.boundsWorld);
+  for (const visibility::Submission submission :
+       {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
+    FrameRenderer renderer(scene, kWidth, kHeight, {.submission = submission, .capacity = 120});
+    FrameOptions options;
+    options.cullMode = gpu::kCullFrustum;
+    renderer.render(options, camera, camera);
+    EXPECT_EQ(renderer.readStatistics().dropped, 180U);
+    renderer.renderIds();
+    const std::vector<std::uint32_t> ids = renderer.readIds();
+    EXPECT_GT(std::count_if(ids.begin(), ids.end(), [](std::uint32_t id) { return id > 0; }), 1000);
+    FrameRenderer whole(scene, kWidth, kHeight, {.submission = submission});
+    whole.render(options, camera, camera);
+    EXPECT_EQ(whole.readStatistics().dropped, 0U);
+  }
+}
+
+TEST_F(FrameRendererGl, PixelErrorSpendsLessWithALargerTau) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(200, 6.0F, 5));
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = scene::lookAt({0, 0, 20}, {0, 0, 0}, scene.boundsWorld);
+  std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  for (const float tau : {0.0F, 0.05F, 0.2F, 1.0F}) {
+    FrameOptions options;
+    options.cullMode = gpu::kCullFrustum;
+    options.tau = tau;
+    renderer.render(options, camera, camera);
+    const std::uint64_t triangles = renderer.readStatistics().triangles;
+    EXPECT_LT(triangles, last) << "tau " << tau;
+    last = triangles;
+  }
+}
+
+TEST_F(FrameRendererGl, PixelErrorChoosesTessellationPerObject) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(200, 6.0F, 5), {.patches = true});
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  const scene::Camera camera = scene::lookAt({0, 0, 14}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options;
+  options.detail = gpu::kDetailTessellation;
+  options.cullMode = gpu::kCullFrustum;
+  options.tau = 0.25F;
+  renderer.render(options, camera, camera);
+  const FrameStatistics s = renderer.readStatistics();
+  EXPECT_GE(std::count_if(s.lodHistogram.begin(), s.lodHistogram.end(), [](std::uint64_t n) { return n > 0; }), 3);
+  EXPECT_LT(s.triangles, s.trianglesFull / 4);
+}
+
+TEST_F(FrameRendererGl, ContributionAndImportanceLowerTheBudgetWhereAsked) {
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 5));
+  const scene::Camera camera = scene::lookAt({0, 0, 20}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options;
+  options.cullMode = gpu::kCullFrustum;
+  options.tau = 0.1F;
+  // Left half black, right half white.
+  ImageRgba8 half{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
+  const visibility::ImportanceMask mask(half);
+  FrameRenderer plain(scene, kWidth, kHeight);
+  FrameRenderer masked(scene, kWidth, kHeight, {.importance = &mask});
+  plain.render(options, camera, camera);
+  masked.render(options, camera, camera);
+  const auto before = plain.readStates();
+  const auto after = masked.readStates();
+  const auto boxes = plain.readBoxes();
+  std::size_t coarser = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (boxes[i].maxX < kWidth / 2.0F) coarser += after[i].lod > before[i].lod ? 1 : 0;
+    if (boxes[i].minX > kWidth / 2.0F) {
+      EXPECT_EQ(after[i].lod, before[i].lod);
+    }
+    EXPECT_GE(after[i].lod, before[i].lod);
+  }
+  EXPECT_GT(coarser, 30U);
+  options.minPixels = 200.0F;
+  plain.render(options, camera, camera);
+  EXPECT_GT(plain.readStatistics().culledSmall, 10U);
+  EXPECT_LT(plain.readStatistics().culledSmall, 300U);
 }
 
 }  // namespace

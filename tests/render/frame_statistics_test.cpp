@@ -10,27 +10,49 @@
 namespace jalousie::render {
 namespace {
 
-TEST(FrameStatistics, CountsVerdictsLevelsAndTriangles) {
+FrameStatistics count(const scene::SceneData& scene, gpu::CullView view, const std::vector<gpu::ObjectState>& states,
+                      const std::vector<gpu::uint>& marks) {
+  view.objectCount = static_cast<gpu::uint>(states.size());
+  return makeStatistics(visibility::countStates(scene, view, states, marks), view, countFullTriangles(scene), 7);
+}
+
+TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
   asset::SceneFile file = test::sphereChain(3);
-  for (int i = 0; i < 5; ++i)
+  for (int i = 0; i < 6; ++i)
     test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
   const scene::SceneData scene = scene::buildScene(file);
   gpu::CullView view{};
   view.detail = gpu::kDetailDiscrete;
-  const std::vector<gpu::ObjectState> states = {{gpu::kVerdictOutside, 0, 20, -1},
-                                                {gpu::kVerdictOccluded, 0, 20, 1},
-                                                {gpu::kVerdictOccluder, 0, 20, -1},
-                                                {gpu::kVerdictPartial, 2, 5, 0.4F},
-                                                {gpu::kVerdictNear, 0, 20, -1}};
-  const FrameStatistics s = countFrame(scene, view, states);
-  EXPECT_EQ(s.objects, 5U);
+  view.cullMode = gpu::kCullHiz;
+  const std::vector<gpu::ObjectState> states = {{gpu::kVerdictOutside, 0, 20, -1}, {gpu::kVerdictOccluded, 0, 20, 1},
+                                                {gpu::kVerdictStale, 0, 20, -1},   {gpu::kVerdictPartial, 2, 5, 0.4F},
+                                                {gpu::kVerdictNear, 0, 20, -1},    {gpu::kVerdictSmall, 0, 20, -1}};
+  const std::vector<gpu::uint> marks = {0, 0, gpu::kMarkEarly, gpu::kMarkLate, gpu::kMarkEarly, 0};
+  const FrameStatistics s = count(scene, view, states, marks);
+  EXPECT_EQ(s.objects, 6U);
   EXPECT_EQ(s.culledFrustum, 1U);
   EXPECT_EQ(s.culledOcclusion, 1U);
-  EXPECT_EQ(s.occluders, 1U);
+  EXPECT_EQ(s.culledSmall, 1U);
   EXPECT_EQ(s.drawn, 3U);
+  EXPECT_EQ(s.drawnEarly, 2U);
+  EXPECT_EQ(s.drawnStale, 1U);
+  EXPECT_EQ(s.dropped, 7U);
   EXPECT_EQ(s.lodHistogram, (std::vector<std::uint64_t>{2, 0, 1}));
   EXPECT_EQ(s.triangles, 2ULL * scene.lods[0].triangleCount + scene.lods[2].triangleCount);
-  EXPECT_EQ(s.trianglesFull, 5ULL * scene.lods[0].triangleCount);
+  EXPECT_EQ(s.trianglesFull, 6ULL * scene.lods[0].triangleCount);
+}
+
+TEST(FrameStatistics, OccludersAreCountedOnceThoughTheMapDrawsThemToo) {
+  asset::SceneFile file = test::sphereChain(3);
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
+  const scene::SceneData scene = scene::buildScene(file);
+  gpu::CullView view{};
+  view.cullMode = gpu::kCullHom;
+  const FrameStatistics s =
+      count(scene, view, {{gpu::kVerdictOccluder, 0, 20, -1}}, {gpu::kMarkEarly | gpu::kMarkLate});
+  EXPECT_EQ(s.occluders, 1U);
+  EXPECT_EQ(s.drawn, 1U);
+  EXPECT_EQ(s.drawnEarly, 0U);
 }
 
 TEST(FrameStatistics, TessellationCountsThesisNumbers) {
@@ -42,16 +64,23 @@ TEST(FrameStatistics, TessellationCountsThesisNumbers) {
   gpu::CullView view{};
   view.detail = gpu::kDetailTessellation;
   view.maxTessellation = 20;
-  const std::vector<gpu::ObjectState> states(5001, {gpu::kVerdictOccluder, 0, 20, -1});
-  const FrameStatistics s = countFrame(scene, view, states);
+  const FrameStatistics s = count(scene, view, std::vector<gpu::ObjectState>(5001, {gpu::kVerdictPending, 0, 20, -1}),
+                                  std::vector<gpu::uint>(5001, gpu::kMarkLate));
   EXPECT_EQ(s.trianglesFull, 294058800ULL);  // thesis 4.2.1
   EXPECT_EQ(s.triangles, 294058800ULL);
   ASSERT_EQ(s.lodHistogram.size(), 20U);
   EXPECT_EQ(s.lodHistogram.back(), 5001U);
 }
 
+TEST(FrameStatistics, TrianglesBeyondFourBillionAreCounted) {
+  visibility::FrameCounters counters = {};
+  counters[gpu::kCounterTriangles + 0] = 4000000000U;
+  counters[gpu::kCounterTriangles + 3] = 40;
+  EXPECT_EQ(visibility::triangleSum(counters), 4000000000ULL + (40ULL << 30U));
+}
+
 TEST(FrameStatistics, EmptySceneCountsNothing) {
-  const FrameStatistics s = countFrame({}, {}, {});
+  const FrameStatistics s = makeStatistics({}, {}, {}, 0);
   EXPECT_EQ(s.objects + s.drawn + s.triangles + s.trianglesFull, 0U);
 }
 

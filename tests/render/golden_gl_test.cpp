@@ -11,7 +11,10 @@ namespace {
 
 class GoldenGl : public test::GlTest {
  protected:
+  /// The thesis' pipeline, whatever else the options say.
   static ImageRgba8 frame(FrameOptions options) {
+    options.cullMode = gpu::kCullHom;
+    options.lodRule = gpu::kLodLinear;
     const scene::SceneData scene =
         scene::buildScene(test::spheresBehindWall(0.35F), {.patches = options.detail == gpu::kDetailTessellation});
     FrameRenderer renderer(scene, 320, 180);

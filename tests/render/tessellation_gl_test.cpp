@@ -91,7 +91,7 @@ TEST_F(TessellationGl, CurvedSurfaceReachesBeyondTheFlatBaseButStaysInItsRectang
   const auto covered = [&](gpu::uint level) {
     renderer.render(options(level), camera, camera);
     const ImageRgba8 image = renderer.readImage();
-    const gpu::ScreenRect rect = renderer.readRects()[0];
+    const gpu::ScreenBox rect = renderer.readBoxes()[0];
     std::size_t count = 0;
     for (std::uint32_t y = 0; y < image.height; ++y) {
       for (std::uint32_t x = 0; x < image.width; ++x) {

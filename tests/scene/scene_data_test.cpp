@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "scene/texture_layers.h"
 #include "support/scenes.h"
 
@@ -33,7 +34,6 @@ TEST(SceneData, LevelsAreRangesWithSolidTrianglesFirst) {
   EXPECT_EQ(mixed.solidCount, 3U * 2 * 8 * 3);
   EXPECT_EQ(mixed.sheetCount, 36U);
   EXPECT_EQ(mixed.triangleCount, 48U + 12U);
-  EXPECT_TRUE(scene.usesSheets);
   for (gpu::uint i = 0; i < mixed.solidCount + mixed.sheetCount; ++i) {
     const std::size_t vertex = static_cast<std::size_t>(mixed.baseVertex) + scene.indices[mixed.firstIndex + i];
     ASSERT_LT(vertex, scene.vertices.size());
@@ -50,16 +50,13 @@ TEST(SceneData, ErrorsAndBoundsFollowTheChain) {
   EXPECT_NEAR(chain.boundsMinObject.y, -1.0F, 1e-6F);
 }
 
-TEST(SceneData, MirroredObjectsAreMarkedAndTransformsKept) {
+TEST(SceneData, TransformsAreKept) {
   asset::SceneFile file = test::sphereChain(1);
   test::addInstance(file, 0, {1, 2, 3}, {1, 1, 1});
   test::addInstance(file, 0, {4, 5, 6}, {-2, 1, 1}, 0.5F);
   const SceneData scene = buildScene(file);
-  EXPECT_EQ(scene.objects[0].flags, 0U);
-  EXPECT_EQ(scene.objects[1].flags, gpu::kObjectMirrored);
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(worldFromObject(scene.objects[i]), file.instances[i].worldFromObject);
-  EXPECT_TRUE(scene.usesSheets);
+    EXPECT_EQ(worldFromObject(scene.transforms[i]), file.instances[i].worldFromObject);
 }
 
 TEST(SceneData, PatchBaseIsTheCoarsestLevelInsideWiderBounds) {
@@ -98,10 +95,76 @@ TEST(TextureLayers, TakeTheSmallestPowerOfTwoThatHoldsAll) {
   const TextureLayers layers = makeTextureLayers({small, wide});
   EXPECT_EQ(layers.side, 32U);
   ASSERT_EQ(layers.layers.size(), 2U);
-  for (const ImageRgba8& layer : layers.layers)
-    EXPECT_EQ(layer.pixels.size(), 32U * 32 * 4);
-  EXPECT_NEAR(layers.layers[1].pixels[500], 200, 1);
-  EXPECT_EQ(makeTextureLayers({small, wide}, 16).side, 16U);
+  for (const std::vector<ImageRgba8>& levels : layers.layers) {
+    ASSERT_EQ(levels.size(), 6U);
+    EXPECT_EQ(levels[0].pixels.size(), 32U * 32 * 4);
+    EXPECT_EQ(levels[5].pixels.size(), 4U);
+  }
+  EXPECT_NEAR(layers.layers[1][0].pixels[500], 200, 1);
+  EXPECT_EQ(makeTextureLayers({small, wide}, {}, 16).side, 16U);
+}
+
+TEST(TextureLayers, MaskedMipLevelsKeepTheirCoverage) {
+  // Scattered thin leaves: plain averaging loses them all within two levels.
+  ImageRgba8 blades{64, 64, std::vector<std::uint8_t>(64 * 64 * 4, 0)};
+  Random random(8);
+  for (std::size_t texel = 0; texel < blades.pixels.size(); texel += 4) {
+    const float alpha = std::max(0.0F, random.uniform() - 0.7F) / 0.3F;
+    blades.pixels[texel + 1] = alpha > 0.0F ? 180 : 0;
+    blades.pixels[texel + 3] = static_cast<std::uint8_t>(255.0F * alpha);
+  }
+  const float coverage = alphaCoverage(blades, 0.5F);
+  EXPECT_NEAR(coverage, 0.15F, 0.02F);
+  const auto kept = makeMipLevels(blades, 0.5F);
+  const auto plain = makeMipLevels(blades, std::nullopt);
+  ASSERT_EQ(kept.size(), 7U);
+  for (std::size_t level = 1; level <= 3; ++level)
+    EXPECT_NEAR(alphaCoverage(kept[level], 0.5F), coverage, 0.05F) << "level " << level;
+  EXPECT_EQ(alphaCoverage(plain[2], 0.5F), 0.0F);
+  EXPECT_NEAR(kept[2].pixels[1], 180, 2) << "colour under holes does not bleed in";
+}
+
+TEST(TextureLayers, MipLevelsAverageInLinearLight) {
+  ImageRgba8 checker{2, 2, {255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255}};
+  EXPECT_NEAR(makeMipLevels(checker, std::nullopt)[1].pixels[0], 188, 1);
+}
+
+TEST(SceneData, ObjectsAreSortedByChainAndCutIntoTiles) {
+  asset::SceneFile file = test::sphereChain(3);
+  file.chains.push_back({"unused", file.chains[0].levels});
+  file.chains.push_back({"other", {file.chains[0].levels[0]}});
+  for (std::uint32_t i = 0; i < 200; ++i)
+    test::addInstance(file, i % 3 == 0 ? 2 : 0, {static_cast<float>(i), 0, 0}, glm::vec3(1));
+  const SceneData scene = buildScene(file);
+  ASSERT_EQ(scene.objects.size(), 200U);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const gpu::Object& object = scene.objects[i];
+    EXPECT_EQ(object.chain, file.instances[object.instance].chain);
+    EXPECT_EQ(worldFromObject(scene.transforms[i]), file.instances[object.instance].worldFromObject);
+    if (i == 0) continue;
+    const gpu::Object& last = scene.objects[i - 1];
+    EXPECT_TRUE(last.chain < object.chain || (last.chain == object.chain && last.instance < object.instance));
+  }
+  gpu::uint next = 0;
+  for (const gpu::Tile& tile : scene.binLayout.tiles) {
+    EXPECT_EQ(tile.firstObject, next);
+    next += tile.objectCount;
+    for (gpu::uint k = tile.firstObject; k < next; ++k)
+      EXPECT_EQ(scene.objects[k].chain, tile.chain);
+  }
+  EXPECT_EQ(next, 200U);
+  EXPECT_EQ(scene.binLayout.bins.size(), 2U * 3 + 2U * 1) << "plain and mirrored per level, nothing for the unused";
+  EXPECT_EQ(scene.binLayout.entryCount, 6U * 3 + 2U * 2 + 1);  // 133 objects: 3 tiles, 67: 2 tiles
+}
+
+TEST(SceneData, PatchBaseCarriesItsDistanceFromTheCurvedSurface) {
+  asset::SceneFile file = test::sphereChain(1);
+  file.meshes[0].primitives = {test::sphere(16, 8)};
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
+  const SceneData scene = buildScene(file, {.patches = true});
+  const float error = scene.lods[scene.chains[0].patchLod].errorObject;
+  EXPECT_GT(error, 0.01F);
+  EXPECT_LT(error, 0.2F);
 }
 
 TEST(SceneData, RealScenesFlattenCompletely) {

@@ -24,8 +24,8 @@ scene::Camera cameraAt(const glm::vec3& eye) {
 }
 
 BoxOnScreen boxAt(const glm::vec3& place, const scene::Camera& camera) {
-  return boxOnScreen(glm::translate(glm::mat4(1.0F), place), kUnitBox, scene::clipFromWorld(camera, kAspect),
-                     kViewport);
+  return boxOnScreen(scene::makeTransform(glm::translate(glm::mat4(1.0F), place)), kUnitBox,
+                     scene::clipFromWorld(camera, kAspect), kViewport);
 }
 
 TEST(Classify, BoxAheadHasACentredRectangle) {
@@ -34,10 +34,10 @@ TEST(Classify, BoxAheadHasACentredRectangle) {
   EXPECT_FALSE(box.crossesNear);
   // The front face at distance 9 has half size 1.
   const float half = scene::focalPixels(cameraAt({0, 0, 0}), 720) / 9.0F;
-  EXPECT_NEAR(box.rect.minX, 640.0F - half, 1e-2F);
-  EXPECT_NEAR(box.rect.maxX, 640.0F + half, 1e-2F);
-  EXPECT_NEAR(box.rect.minY, 360.0F - half, 1e-2F);
-  EXPECT_NEAR(box.rect.maxY, 360.0F + half, 1e-2F);
+  EXPECT_NEAR(box.rect.x, 640.0F - half, 1e-2F);
+  EXPECT_NEAR(box.rect.z, 640.0F + half, 1e-2F);
+  EXPECT_NEAR(box.rect.y, 360.0F - half, 1e-2F);
+  EXPECT_NEAR(box.rect.w, 360.0F + half, 1e-2F);
 }
 
 TEST(Classify, BoxesBeyondEachPlaneAreOutside) {
@@ -67,7 +67,7 @@ TEST(Classify, NoPointOfADrawnBoxLiesOutsideItsRectangle) {
     world =
         glm::rotate(world, random.uniform(0, 6), glm::normalize(glm::vec3(random.uniform(), 0.1F, random.uniform())));
     world = glm::scale(world, {random.uniform(0.1F, 3), random.uniform(0.1F, 3), -random.uniform(0.1F, 3)});
-    const BoxOnScreen box = boxOnScreen(world, kUnitBox, clip, kViewport);
+    const BoxOnScreen box = boxOnScreen(scene::makeTransform(world), kUnitBox, clip, kViewport);
     for (int k = 0; k < 20; ++k) {
       const glm::vec4 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 1.0F);
       const glm::vec4 c = clip * world * p;
@@ -76,10 +76,11 @@ TEST(Classify, NoPointOfADrawnBoxLiesOutsideItsRectangle) {
       ASSERT_FALSE(box.outside);
       if (box.crossesNear) continue;
       const glm::vec2 pixel = (glm::vec2(c) / c.w * 0.5F + 0.5F) * kViewport;
-      ASSERT_GE(pixel.x, box.rect.minX - 1e-2F);
-      ASSERT_LE(pixel.x, box.rect.maxX + 1e-2F);
-      ASSERT_GE(pixel.y, box.rect.minY - 1e-2F);
-      ASSERT_LE(pixel.y, box.rect.maxY + 1e-2F);
+      ASSERT_GE(pixel.x, box.rect.x);
+      ASSERT_LE(pixel.x, box.rect.z);
+      ASSERT_GE(pixel.y, box.rect.y);
+      ASSERT_LE(pixel.y, box.rect.w);
+      ASSERT_LE(c.z / c.w, box.nearestDepth);
     }
   }
 }
@@ -107,6 +108,85 @@ TEST(Classify, NearBoxesAreOccludersOnlyWithAMap) {
   EXPECT_EQ(classify(boxAt({0, 50, -10}, camera), view), gpu::kVerdictOutside);
   view.cullMode = gpu::kCullNone;
   EXPECT_EQ(classify(boxAt({0, 50, -10}, camera), view), gpu::kVerdictPending);
+}
+
+TEST(Classify, BoundsHoldFarFromTheOriginWhereRoundingIsLarge) {
+  // A small object a million units away from the world's origin, with the camera beside it: sums of large numbers.
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec3 origin(random.uniform(-1e6F, 1e6F), random.uniform(-1e4F, 1e4F), random.uniform(-1e6F, 1e6F));
+    scene::Camera camera = cameraAt({0, 0, 0});
+    camera.worldFromCamera = glm::translate(glm::mat4(1.0F), origin) *
+                             glm::rotate(glm::mat4(1.0F), random.uniform(0, 6), glm::vec3(0, 1, 0));
+    const glm::mat4 clip = scene::clipFromWorld(camera, kAspect);
+    const glm::mat4 world =
+        camera.worldFromCamera * glm::translate(glm::mat4(1.0F), {0, 0, -random.uniform(1.0F, 30.0F)});
+    const gpu::Transform transform = scene::makeTransform(world);
+    const BoxOnScreen box = boxOnScreen(transform, kUnitBox, clip, kViewport);
+    if (box.crossesNear) continue;
+    for (int k = 0; k < 20; ++k) {
+      // The vertex stage's own arithmetic, in another order of the products.
+      const glm::vec4 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 1.0F);
+      const glm::vec4 c =
+          clip * glm::vec4(glm::dot(p, transform.worldFromObject0), glm::dot(p, transform.worldFromObject1),
+                           glm::dot(p, transform.worldFromObject2), 1.0F);
+      if (!(std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= 0.0F && c.z <= c.w)) continue;
+      ASSERT_FALSE(box.outside);
+      const glm::vec2 pixel = (glm::vec2(c) / c.w * 0.5F + 0.5F) * kViewport;
+      ASSERT_GE(pixel.x, box.rect.x);
+      ASSERT_LE(pixel.x, box.rect.z);
+      ASSERT_LE(c.z / c.w, box.nearestDepth);
+    }
+  }
+}
+
+TEST(Classify, LargestScaleIsExactForOrthogonalAxesAndNeverTooSmall) {
+  EXPECT_FLOAT_EQ(largestScale(scene::makeTransform(glm::scale(glm::mat4(1.0F), {2, -5, 0.5F}))), 5.0F);
+  EXPECT_FLOAT_EQ(largestScale(scene::makeTransform(glm::mat4(0.0F))), 0.0F);
+  Random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    glm::mat4 m(1.0F);
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r)
+        m[c][r] = random.uniform(-2, 2);
+    const glm::vec3 v = glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+    ASSERT_GE(largestScale(scene::makeTransform(m)), 0.9999F * glm::length(glm::mat3(m) * v));
+  }
+}
+
+TEST(Classify, MirroredTransformsAreRecognised) {
+  EXPECT_FALSE(isMirrored(scene::makeTransform(glm::mat4(1.0F))));
+  EXPECT_TRUE(isMirrored(scene::makeTransform(glm::scale(glm::mat4(1.0F), {1, -1, 1}))));
+  EXPECT_FALSE(isMirrored(scene::makeTransform(glm::scale(glm::mat4(1.0F), {-1, -1, 1}))));
+}
+
+TEST(Classify, PhasesFollowModeVerdictAndHistory) {
+  const gpu::uint seen = gpu::kMarkVisible;
+  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz})
+    for (const bool was : {false, true})
+      for (const gpu::uint gone : {gpu::kVerdictOutside, gpu::kVerdictSmall})
+        EXPECT_EQ(phasesOf(gone, was, mode), 0U);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullFrustum), gpu::kMarkLate | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHom), 0U);  // the map decides
+  EXPECT_EQ(phasesOf(gpu::kVerdictOccluder, false, gpu::kCullHom), gpu::kMarkEarly | gpu::kMarkLate | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHomDepth), gpu::kMarkLate | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullHiz), 0U);  // the test decides
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHiz), gpu::kMarkEarly | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHiz), gpu::kMarkEarly | seen);
+}
+
+TEST(Classify, ContributionThresholdCountsTheRectanglesPixelsTimesImportance) {
+  const scene::Camera camera = cameraAt({0, 0, 0});
+  gpu::CullView view{};
+  view.cullMode = gpu::kCullFrustum;
+  const BoxOnScreen box = boxAt({0, 0, -40}, camera);
+  const float area = (box.rect.z - box.rect.x) * (box.rect.w - box.rect.y);
+  view.minPixels = 0.99F * area;
+  EXPECT_EQ(classify(box, view), gpu::kVerdictPending);
+  EXPECT_EQ(classify(box, view, 0.5F), gpu::kVerdictSmall);
+  view.minPixels = 1.01F * area;
+  EXPECT_EQ(classify(box, view), gpu::kVerdictSmall);
+  EXPECT_EQ(classify(boxAt({0, 0, 0}, camera), view), gpu::kVerdictNear);
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <vector>
+
 namespace jalousie::visibility {
 namespace {
 
@@ -34,6 +37,47 @@ TEST(LodPolicy, DetailNeverGrowsWithHiddenness) {
       last = level;
     }
   }
+}
+
+TEST(PixelError, ProjectedScaleIsTheFormula) {
+  EXPECT_FLOAT_EQ(projectedScale(2.0F, 600.0F, 13.0F, 3.0F, 0.1F), 120.0F);
+  EXPECT_FLOAT_EQ(projectedScale(1.0F, 600.0F, 1.0F, 3.0F, 0.1F), 6000.0F) << "inside the sphere the near plane counts";
+}
+
+std::vector<gpu::Lod> levelsWithErrors(std::initializer_list<float> errors) {
+  std::vector<gpu::Lod> levels;
+  for (const float error : errors) {
+    levels.emplace_back();
+    levels.back().errorObject = error;
+  }
+  return levels;
+}
+
+TEST(PixelError, TakesTheCoarsestLevelWithinTau) {
+  const auto levels = levelsWithErrors({0.0F, 0.01F, 0.04F, 0.2F});
+  EXPECT_EQ(pixelErrorLod(levels, 1.0F, 1.0F), 3U);
+  EXPECT_EQ(pixelErrorLod(levels, 10.0F, 1.0F), 2U);
+  EXPECT_EQ(pixelErrorLod(levels, 100.0F, 1.0F), 1U) << "equal counts as within";
+  EXPECT_EQ(pixelErrorLod(levels, 101.0F, 1.0F), 0U);
+  EXPECT_EQ(pixelErrorLod(levels, 1e30F, 1.0F), 0U);
+  EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F}), 1.0F, 1.0F), 0U);
+  EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F, 0.0F, 0.1F}), 50.0F, 0.0F), 1U) << "tau 0 takes lossless levels";
+}
+
+TEST(PixelError, NeverTakesALevelOfUnknownError) {
+  const float unknown = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F, unknown}), 1.0F, 1000.0F), 0U);
+  EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F, unknown}), 0.0F, 1000.0F), 0U) << "not a number is not within";
+}
+
+TEST(PixelError, TessellationHalvesTheLevelForFourTimesTheTau) {
+  EXPECT_EQ(pixelErrorTessellation(0.5F, 1.0F, 20), 1U);
+  EXPECT_EQ(pixelErrorTessellation(16.0F, 1.0F, 20), 4U);
+  EXPECT_EQ(pixelErrorTessellation(16.0F, 4.0F, 20), 2U);
+  EXPECT_EQ(pixelErrorTessellation(16.1F, 1.0F, 20), 5U) << "rounded up";
+  EXPECT_EQ(pixelErrorTessellation(1e9F, 1.0F, 20), 20U);
+  EXPECT_EQ(pixelErrorTessellation(1.0F, 0.0F, 20), 20U);
+  EXPECT_EQ(pixelErrorTessellation(0.0F, 0.0F, 20), 1U);
 }
 
 }  // namespace

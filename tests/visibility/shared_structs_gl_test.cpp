@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/capabilities.h"
 #include "gl/program.h"
 #include "render/program_table.h"
 #include "shared/frame_structs.h"
@@ -29,23 +30,31 @@ struct Layout {
 /// Every field of every shared struct, with the variable name the shaders use.
 const std::map<std::string, Layout>& expectedLayouts() {
   static const std::map<std::string, Layout> kLayouts = {
+      {"TransformBlock",
+       {sizeof(gpu::Transform),
+        {JAL_FIELD("transforms[0].", Transform, worldFromObject0),
+         JAL_FIELD("transforms[0].", Transform, worldFromObject1),
+         JAL_FIELD("transforms[0].", Transform, worldFromObject2)}}},
       {"ObjectBlock",
-       {sizeof(gpu::Object),
-        {JAL_FIELD("objects[0].", Object, worldFromObject0), JAL_FIELD("objects[0].", Object, worldFromObject1),
-         JAL_FIELD("objects[0].", Object, worldFromObject2), JAL_FIELD("objects[0].", Object, chain),
-         JAL_FIELD("objects[0].", Object, flags), JAL_FIELD("objects[0].", Object, reserved0),
-         JAL_FIELD("objects[0].", Object, reserved1)}}},
+       {sizeof(gpu::Object), {JAL_FIELD("objects[0].", Object, chain), JAL_FIELD("objects[0].", Object, instance)}}},
       {"ChainBlock",
        {sizeof(gpu::Chain),
         {JAL_FIELD("chains[0].", Chain, boundsMinObject), JAL_FIELD("chains[0].", Chain, boundsMaxObject),
          JAL_FIELD("chains[0].", Chain, firstLod), JAL_FIELD("chains[0].", Chain, lodCount),
-         JAL_FIELD("chains[0].", Chain, patchLod), JAL_FIELD("chains[0].", Chain, reserved0)}}},
+         JAL_FIELD("chains[0].", Chain, patchLod), JAL_FIELD("chains[0].", Chain, binCount),
+         JAL_FIELD("chains[0].", Chain, firstEntry), JAL_FIELD("chains[0].", Chain, tileCount),
+         JAL_FIELD("chains[0].", Chain, reserved0), JAL_FIELD("chains[0].", Chain, reserved1)}}},
       {"LodBlock",
        {sizeof(gpu::Lod),
         {JAL_FIELD("lods[0].", Lod, firstIndex), JAL_FIELD("lods[0].", Lod, solidCount),
-         JAL_FIELD("lods[0].", Lod, sheetCount), JAL_FIELD("lods[0].", Lod, baseVertex),
-         JAL_FIELD("lods[0].", Lod, errorObject), JAL_FIELD("lods[0].", Lod, triangleCount),
-         JAL_FIELD("lods[0].", Lod, reserved0), JAL_FIELD("lods[0].", Lod, reserved1)}}},
+         JAL_FIELD("lods[0].", Lod, sheetCount), JAL_FIELD("lods[0].", Lod, blendCount),
+         JAL_FIELD("lods[0].", Lod, baseVertex), JAL_FIELD("lods[0].", Lod, triangleCount),
+         JAL_FIELD("lods[0].", Lod, errorObject), JAL_FIELD("lods[0].", Lod, reserved0)}}},
+      {"TileBlock",
+       {sizeof(gpu::Tile),
+        {JAL_FIELD("tiles[0].", Tile, firstObject), JAL_FIELD("tiles[0].", Tile, objectCount),
+         JAL_FIELD("tiles[0].", Tile, chain), JAL_FIELD("tiles[0].", Tile, tileOfChain)}}},
+      {"BinBlock", {sizeof(gpu::Bin), {JAL_FIELD("bins[0].", Bin, chain), JAL_FIELD("bins[0].", Bin, bin)}}},
       {"MaterialBlock",
        {sizeof(gpu::Material),
         {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, layer),
@@ -60,20 +69,56 @@ const std::map<std::string, Layout>& expectedLayouts() {
        {sizeof(gpu::ObjectState),
         {JAL_FIELD("states[0].", ObjectState, verdict), JAL_FIELD("states[0].", ObjectState, lod),
          JAL_FIELD("states[0].", ObjectState, tessellation), JAL_FIELD("states[0].", ObjectState, lv)}}},
-      {"RectBlock",
-       {sizeof(gpu::ScreenRect),
-        {JAL_FIELD("rects[0].", ScreenRect, minX), JAL_FIELD("rects[0].", ScreenRect, minY),
-         JAL_FIELD("rects[0].", ScreenRect, maxX), JAL_FIELD("rects[0].", ScreenRect, maxY)}}},
+      {"BoxBlock",
+       {sizeof(gpu::ScreenBox),
+        {JAL_FIELD("boxes[0].", ScreenBox, minX), JAL_FIELD("boxes[0].", ScreenBox, minY),
+         JAL_FIELD("boxes[0].", ScreenBox, maxX), JAL_FIELD("boxes[0].", ScreenBox, maxY),
+         JAL_FIELD("boxes[0].", ScreenBox, nearestDepth), JAL_FIELD("boxes[0].", ScreenBox, pixelsPerUnit),
+         JAL_FIELD("boxes[0].", ScreenBox, tau), JAL_FIELD("boxes[0].", ScreenBox, reserved0)}}},
+      {"MarkBlock", {sizeof(gpu::uint), {{"marks[0]", 0}}}},
+      {"SlotBlock", {sizeof(gpu::uint), {{"slots[0]", 0}}}},
+      {"EntryBlock", {sizeof(gpu::uint), {{"entries[0]", 0}}}},
+      {"BlockSumBlock", {sizeof(gpu::uint), {{"blockSums[0]", 0}}}},
+      {"InstanceBlock", {sizeof(gpu::uint), {{"instances[0]", 0}}}},
+      {"DrawCountBlock", {sizeof(gpu::uint), {{"drawCounts[0]", 0}}}},
+      {"CounterBlock", {sizeof(gpu::uint), {{"counters[0]", 0}}}},
       {"CosineBlock", {sizeof(float), {{"cosines[0]", 0}}}},
       {"CullViewBlock",
        {0,
-        {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld), JAL_FIELD("CullViewBlock.", CullView, cameraWorld),
-         JAL_FIELD("CullViewBlock.", CullView, viewportWidth), JAL_FIELD("CullViewBlock.", CullView, viewportHeight),
-         JAL_FIELD("CullViewBlock.", CullView, objectCount), JAL_FIELD("CullViewBlock.", CullView, cullMode),
-         JAL_FIELD("CullViewBlock.", CullView, lodRule), JAL_FIELD("CullViewBlock.", CullView, detail),
-         JAL_FIELD("CullViewBlock.", CullView, analyse), JAL_FIELD("CullViewBlock.", CullView, mapLevels),
-         JAL_FIELD("CullViewBlock.", CullView, occluderDistance), JAL_FIELD("CullViewBlock.", CullView, cullThreshold),
-         JAL_FIELD("CullViewBlock.", CullView, maxTessellation), JAL_FIELD("CullViewBlock.", CullView, reserved0)}}},
+        {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld),
+         JAL_FIELD("CullViewBlock.", CullView, cameraWorld),
+         JAL_FIELD("CullViewBlock.", CullView, viewportWidth),
+         JAL_FIELD("CullViewBlock.", CullView, viewportHeight),
+         JAL_FIELD("CullViewBlock.", CullView, objectCount),
+         JAL_FIELD("CullViewBlock.", CullView, cullMode),
+         JAL_FIELD("CullViewBlock.", CullView, lodRule),
+         JAL_FIELD("CullViewBlock.", CullView, detail),
+         JAL_FIELD("CullViewBlock.", CullView, analyse),
+         JAL_FIELD("CullViewBlock.", CullView, mapLevels),
+         JAL_FIELD("CullViewBlock.", CullView, occluderDistance),
+         JAL_FIELD("CullViewBlock.", CullView, cullThreshold),
+         JAL_FIELD("CullViewBlock.", CullView, maxTessellation),
+         JAL_FIELD("CullViewBlock.", CullView, focalPixels),
+         JAL_FIELD("CullViewBlock.", CullView, tau),
+         JAL_FIELD("CullViewBlock.", CullView, occluderTau),
+         JAL_FIELD("CullViewBlock.", CullView, minPixels),
+         JAL_FIELD("CullViewBlock.", CullView, importanceLevels),
+         JAL_FIELD("CullViewBlock.", CullView, importanceWidth),
+         JAL_FIELD("CullViewBlock.", CullView, importanceHeight),
+         JAL_FIELD("CullViewBlock.", CullView, reserved0),
+         JAL_FIELD("CullViewBlock.", CullView, reserved1)}}},
+      {"ListViewBlock",
+       {0,
+        {JAL_FIELD("ListViewBlock.", ListView, phase), JAL_FIELD("ListViewBlock.", ListView, tileCount),
+         JAL_FIELD("ListViewBlock.", ListView, binCount), JAL_FIELD("ListViewBlock.", ListView, entryCount),
+         JAL_FIELD("ListViewBlock.", ListView, capacity), JAL_FIELD("ListViewBlock.", ListView, commandCapacity),
+         JAL_FIELD("ListViewBlock.", ListView, patches), JAL_FIELD("ListViewBlock.", ListView, reserved0)}}},
+      {"ReduceViewBlock",
+       {0,
+        {JAL_FIELD("ReduceViewBlock.", ReduceView, screenWidth),
+         JAL_FIELD("ReduceViewBlock.", ReduceView, screenHeight),
+         JAL_FIELD("ReduceViewBlock.", ReduceView, sourceLevel),
+         JAL_FIELD("ReduceViewBlock.", ReduceView, reserved0)}}},
       {"DrawViewBlock",
        {0,
         {JAL_FIELD("DrawViewBlock.", DrawView, clipFromWorld), JAL_FIELD("DrawViewBlock.", DrawView, cameraWorld),
@@ -81,7 +126,7 @@ const std::map<std::string, Layout>& expectedLayouts() {
          JAL_FIELD("DrawViewBlock.", DrawView, detail), JAL_FIELD("DrawViewBlock.", DrawView, mapLevel),
          JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha), JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth),
          JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, maxTessellation),
-         JAL_FIELD("DrawViewBlock.", DrawView, reserved0)}}},
+         JAL_FIELD("DrawViewBlock.", DrawView, depthGuard)}}},
   };
   return kLayouts;
 }
@@ -144,14 +189,20 @@ std::set<std::string> checkBlocks(GLuint program, GLenum blockKind, GLenum varia
 
 class SharedStructsGl : public test::GlTest {};
 
+void checkProgram(const gl::ProgramSource& source, std::set<std::string>& seen) {
+  const gl::Program program(source);
+  seen.merge(checkBlocks(program.id(), GL_SHADER_STORAGE_BLOCK, GL_BUFFER_VARIABLE));
+  seen.merge(checkBlocks(program.id(), GL_UNIFORM_BLOCK, GL_UNIFORM));
+}
+
 TEST_F(SharedStructsGl, EveryProgramOfTheTablesAgreesWithTheCppLayout) {
   std::set<std::string> seen;
-  for (const auto table : {visibility::programTable(), render::programTable()}) {
-    for (const gl::ProgramSource& source : table) {
-      const gl::Program program(source);
-      seen.merge(checkBlocks(program.id(), GL_SHADER_STORAGE_BLOCK, GL_BUFFER_VARIABLE));
-      seen.merge(checkBlocks(program.id(), GL_UNIFORM_BLOCK, GL_UNIFORM));
-    }
+  const gl::Capabilities capabilities = gl::queryCapabilities();
+  for (const gl::ProgramSource& source : visibility::programTable())
+    checkProgram(source, seen);
+  for (const gl::ProgramSource& source : render::programTable()) {
+    checkProgram(source, seen);
+    if (capabilities.drawParameters) checkProgram(gl::withDefine(source, render::kDrawParametersDefine), seen);
   }
   for (const auto& [name, layout] : expectedLayouts())
     EXPECT_TRUE(seen.contains(name)) << name << " is used by no program";

@@ -16,8 +16,11 @@
 #include "support/gl_test.h"
 #include "support/scenes.h"
 #include "visibility/classify_reference.h"
-#include "visibility/commands_reference.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/frame_counters.h"
 #include "visibility/overlap_reference.h"
+#include "visibility/statistics_pass.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -32,7 +35,7 @@ constexpr ScreenSize kSizes[] = {{640, 360}, {1366, 77}, {333, 97}, {64, 64}, {1
 gpu::CullView makeView(const SceneData& scene, const scene::Camera& camera, ScreenSize size, float occluderDistance) {
   gpu::CullView view{};
   view.clipFromWorld = scene::clipFromWorld(camera, static_cast<float>(size.width) / static_cast<float>(size.height));
-  view.cameraWorld = glm::vec4(camera.positionWorld(), 1.0F);
+  view.cameraWorld = glm::vec4(camera.positionWorld(), camera.zNear);
   view.viewportWidth = size.width;
   view.viewportHeight = size.height;
   view.objectCount = static_cast<gpu::uint>(scene.objects.size());
@@ -44,6 +47,8 @@ gpu::CullView makeView(const SceneData& scene, const scene::Camera& camera, Scre
   view.occluderDistance = occluderDistance;
   view.cullThreshold = 1.0F;
   view.maxTessellation = gpu::kMaxTessellationLevel;
+  view.focalPixels = scene::focalPixels(camera, size.height);
+  view.tau = 1.0F;
   return view;
 }
 
@@ -61,38 +66,61 @@ std::vector<gpu::uint> plausibleVerdicts(const SceneData& scene, std::size_t obj
     box = {box.min - margin, box.max + margin};
     gpu::CullView changed = view;
     changed.occluderDistance *= 1.0F - change;
-    verdicts.push_back(classify(boxOnScreen(scene::worldFromObject(scene.objects[object]), box, view.clipFromWorld,
+    verdicts.push_back(classify(boxOnScreen(scene.transforms[object], box, view.clipFromWorld,
                                             glm::vec2(view.viewportWidth, view.viewportHeight)),
                                 changed));
   }
   return verdicts;
 }
 
-void expectSameRect(const gpu::ScreenRect& gpuRect, const gpu::ScreenRect& cpuRect, float tolerance) {
-  EXPECT_NEAR(gpuRect.minX, cpuRect.minX, tolerance);
-  EXPECT_NEAR(gpuRect.minY, cpuRect.minY, tolerance);
-  EXPECT_NEAR(gpuRect.maxX, cpuRect.maxX, tolerance);
-  EXPECT_NEAR(gpuRect.maxY, cpuRect.maxY, tolerance);
+void expectSameBox(const gpu::ScreenBox& actual, const gpu::ScreenBox& expected) {
+  constexpr float kPixels = 0.02F;
+  EXPECT_NEAR(actual.minX, expected.minX, kPixels);
+  EXPECT_NEAR(actual.minY, expected.minY, kPixels);
+  EXPECT_NEAR(actual.maxX, expected.maxX, kPixels);
+  EXPECT_NEAR(actual.maxY, expected.maxY, kPixels);
+  EXPECT_NEAR(actual.nearestDepth, expected.nearestDepth, 1e-5F * expected.nearestDepth);
+  EXPECT_NEAR(actual.pixelsPerUnit, expected.pixelsPerUnit, 1e-4F * expected.pixelsPerUnit);
+  EXPECT_NEAR(actual.tau, expected.tau, 1e-4F * expected.tau);
 }
 
-/// Runs the classify kernel and compares every verdict and rectangle with the twin.
-void compareClassification(const SceneData& scene, const gpu::CullView& view) {
+/// Runs the classify kernel, on a history of visible and hidden objects, and compares everything it writes with the
+/// twin.
+void compareClassification(const SceneData& scene, const gpu::CullView& view,
+                           const ImportanceMask* importance = nullptr) {
   const render::SceneBuffers buffers(scene);
-  VisibilityPass pass(buffers.objectCount());
+  VisibilityPass pass(buffers.objectCount(), importance);
   pass.setView(view);
+  std::vector<gpu::ObjectState> last(scene.objects.size());
+  std::vector<gpu::uint> lastMarks(scene.objects.size());
+  Random random(31);
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    last[i] = {gpu::kVerdictPartial, 0, 1, random.uniform(-1.5F, 1.0F)};
+    lastMarks[i] = random.below(2) == 0 ? gpu::kMarkVisible : 0;
+  }
+  pass.statesForTest().write(0, std::as_bytes(std::span(last)));
+  pass.marksForTest().write(0, std::as_bytes(std::span(lastMarks)));
   pass.classify(buffers.bindings());
   const auto states = pass.states().read<gpu::ObjectState>(scene.objects.size());
-  const auto rects = pass.rects().read<gpu::ScreenRect>(scene.objects.size());
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+  const auto boxes = pass.boxes().read<gpu::ScreenBox>(scene.objects.size());
+  const auto marks = pass.marks().read<gpu::uint>(scene.objects.size());
+  std::size_t otherLevels = 0;
+  for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
     const std::vector<gpu::uint> plausible = plausibleVerdicts(scene, i, view);
-    EXPECT_NE(std::find(plausible.begin(), plausible.end(), states[i].verdict), plausible.end())
-        << "object " << i << " verdict " << states[i].verdict << " expected " << plausible[1];
-    if (states[i].verdict != plausible[1]) continue;
-    const BoxOnScreen box = boxOnScreen(scene::worldFromObject(scene.objects[i]), boundsOf(scene, i),
-                                        view.clipFromWorld, glm::vec2(view.viewportWidth, view.viewportHeight));
-    if (box.outside || box.crossesNear) continue;
-    expectSameRect(rects[i], box.rect, 0.02F);
+    const Classified expected = classifyObject(scene, view, i, last[i], lastMarks[i], importance);
+    if (view.minPixels == 0.0F) {
+      EXPECT_NE(std::find(plausible.begin(), plausible.end(), states[i].verdict), plausible.end())
+          << "object " << i << " verdict " << states[i].verdict << " expected " << plausible[1];
+    }
+    if (states[i].verdict != expected.state.verdict) continue;
+    EXPECT_EQ(marks[i], expected.marks) << "object " << i;
+    EXPECT_EQ(states[i].lv, expected.state.lv) << "object " << i;
+    if (expected.state.verdict == gpu::kVerdictOutside || expected.state.verdict == gpu::kVerdictNear) continue;
+    expectSameBox(boxes[i], expected.box);
+    // A level is a threshold on a float: an ulp may decide, but only rarely.
+    otherLevels += states[i].lod != expected.state.lod || states[i].tessellation != expected.state.tessellation ? 1 : 0;
   }
+  EXPECT_LE(otherLevels, 1 + scene.objects.size() / 200);
 }
 
 class ClassifyGl : public test::GlTest {};
@@ -122,6 +150,27 @@ TEST_F(ClassifyGl, AdversarialBoxes) {
                           makeView(scene, scene::lookAt(eye, {0, 0, 0}, {glm::vec3(-1), glm::vec3(1)}), size, 3.0F));
 }
 
+TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
+  ImageRgba8 image{37, 21, std::vector<std::uint8_t>(37 * 21 * 4)};
+  Random random(77);
+  for (std::uint8_t& byte : image.pixels)
+    byte = static_cast<std::uint8_t>(random.below(6) == 0 ? 255 : random.below(60));
+  const ImportanceMask mask(image);
+  const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 4), {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
+    for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodPixelError; ++rule) {
+      gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F);
+      view.cullMode = mode;
+      view.lodRule = rule;
+      compareClassification(scene, view);
+      view.minPixels = 60.0F;
+      view.tau = 3.0F;
+      compareClassification(scene, view, &mask);
+    }
+  }
+}
+
 TEST_F(ClassifyGl, EmptySceneAndSingleObject) {
   asset::SceneFile file = test::sphereChain(1);
   const SceneData empty = scene::buildScene(file);
@@ -134,8 +183,8 @@ TEST_F(ClassifyGl, EmptySceneAndSingleObject) {
 /// A map whose level 0 is given instead of drawn.
 struct GivenMap {
   GivenMap(ScreenSize size, const std::vector<float>& openPixels)
-      : pass(mapLayout(size.width, size.height)), reference(pass.layout(), openPixels) {
-    pass.beginOccluders();
+      : pass(mapLayout(size.width, size.height), nullptr), reference(pass.layout(), openPixels) {
+    pass.beginOccluders(false);
     glTextureSubImage2D(pass.texture().id(), 0, 0, 0, static_cast<GLsizei>(size.width),
                         static_cast<GLsizei>(size.height), GL_RED, GL_FLOAT, openPixels.data());
     pass.reduce();
@@ -174,23 +223,71 @@ TEST_F(OcclusionMapGl, ReductionEqualsTheTwinBitForBitAtAnySize) {
   }
 }
 
-/// Rectangles of every kind: tiny, huge, at the borders, degenerate, aligned and misaligned.
-std::vector<gpu::ScreenRect> adversarialRects(ScreenSize size, std::size_t count, std::uint64_t seed) {
+/// Depth with structure: a far wall, nearer cells, and holes.
+std::vector<float> structuredDepth(ScreenSize size, std::uint64_t seed) {
+  Random random(seed);
+  const std::vector<float> open = structuredPixels(size, seed);
+  std::vector<float> depth(open.size());
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    depth[i] = open[i] > 0.0F ? (random.below(3) == 0 ? 0.0F : 0.1F) : random.uniform(0.4F, 0.6F);
+  return depth;
+}
+
+/// A depth buffer with given content, and its pyramids.
+struct GivenDepth {
+  GivenDepth(ScreenSize size, const std::vector<float>& values, DepthSource source, bool fastPaths)
+      : texture(GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, {size.width, size.height, 1, 1}, "given depth"),
+        pass(mapLayout(size.width, size.height),
+             fastPaths ? gl::queryCapabilities() : gl::queryCapabilities().withoutFastPaths()),
+        reference(pass.layout(), values, source == DepthSource::kCovered) {
+    glTextureSubImage2D(texture.id(), 0, 0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height),
+                        GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+    pass.build(texture, source);
+  }
+  gl::Texture texture;
+  DepthPyramidPass pass;
+  DepthPyramidReference reference;
+};
+
+class DepthPyramidGl : public test::GlTest {};
+
+TEST_F(DepthPyramidGl, EqualsTheTwinBitForBitAtAnySizeWithAndWithoutTheMinFilter) {
+  for (const ScreenSize size : kSizes) {
+    for (const DepthSource source : {DepthSource::kAll, DepthSource::kCovered}) {
+      for (const bool fastPaths : {false, true}) {
+        const GivenDepth depth(size, structuredDepth(size, size.width + 5), source, fastPaths);
+        for (std::uint32_t level = 1; level < depth.pass.layout().levels; ++level) {
+          const std::span<const float> expected = depth.reference.level(level);
+          const std::vector<float> actual = depth.pass.readLevel(level);
+          EXPECT_TRUE(std::equal(actual.begin(), actual.end(), expected.begin(), expected.end()))
+              << size.width << "x" << size.height << " level " << level << " fast " << fastPaths;
+        }
+      }
+    }
+  }
+}
+
+/// Boxes of every kind: tiny, huge, at the borders, degenerate, aligned and misaligned, at any depth.
+std::vector<gpu::ScreenBox> adversarialBoxes(ScreenSize size, std::size_t count, std::uint64_t seed) {
   Random random(seed);
   const auto width = static_cast<float>(size.width);
   const auto height = static_cast<float>(size.height);
-  std::vector<gpu::ScreenRect> rects = {{0, 0, width, height},    {0, 0, 0, 0},         {width, height, width, height},
-                                        {0.5F, 0.5F, 0.6F, 0.6F}, {0, 0, width, 0.25F}, {0, 0, 0.25F, height}};
+  std::vector<glm::vec4> rects = {{0, 0, width, height},    {0, 0, 0, 0},         {width, height, width, height},
+                                  {0.5F, 0.5F, 0.6F, 0.6F}, {0, 0, width, 0.25F}, {0, 0, 0.25F, height}};
   while (rects.size() < count) {
     const float scale = std::exp2(-random.uniform(0.0F, 9.0F));
     float x0 = random.uniform(0.0F, width);
     float y0 = random.uniform(0.0F, height);
     if (random.below(3) == 0) x0 = std::floor(x0 / 16.0F) * 16.0F;
     if (random.below(3) == 0) y0 = std::floor(y0);
-    rects.push_back({x0, y0, std::min(width, x0 + random.uniform() * scale * width),
-                     std::min(height, y0 + random.uniform() * scale * height)});
+    rects.emplace_back(x0, y0, std::min(width, x0 + random.uniform() * scale * width),
+                       std::min(height, y0 + random.uniform() * scale * height));
   }
-  return rects;
+  std::vector<gpu::ScreenBox> boxes;
+  for (const glm::vec4& rect : rects)
+    boxes.push_back(
+        {rect.x, rect.y, rect.z, rect.w, random.below(9) == 0 ? 0.1F : random.uniform(0.05F, 0.7F), 1.0F, 1.0F, 0.0F});
+  return boxes;
 }
 
 SceneData sceneOfCount(std::size_t count) {
@@ -200,35 +297,72 @@ SceneData sceneOfCount(std::size_t count) {
   return scene::buildScene(file);
 }
 
-class AnalyseGl : public test::GlTest {};
-
-TEST_F(AnalyseGl, VerdictsEqualTheTwinAndLevelsOfVisibilityAreClose) {
-  constexpr std::size_t kCount = 1500;
-  const SceneData scene = sceneOfCount(kCount);
-  const render::SceneBuffers buffers(scene);
-  VisibilityPass pass(buffers.objectCount());
-  std::size_t verdicts[gpu::kVerdictCount] = {};
-  for (const ScreenSize size : kSizes) {
-    for (const float threshold : {1.0F, 0.9F}) {
-      const GivenMap map(size, structuredPixels(size, 7 + size.height));
-      const std::vector<gpu::ScreenRect> rects = adversarialRects(size, kCount, size.width);
-      gpu::CullView view = makeView(scene, {}, size, 0.0F);
-      view.cullThreshold = threshold;
-      pass.setView(view);
-      pass.rectsForTest().write(0, std::as_bytes(std::span(rects)));
-      const std::vector<gpu::ObjectState> pending(kCount, {gpu::kVerdictPending, 0, 20, -1.0F});
-      pass.statesForTest().write(0, std::as_bytes(std::span(pending)));
-      pass.analyse(buffers.bindings(), map.pass);
-      const auto states = pass.states().read<gpu::ObjectState>(kCount);
-      for (std::size_t i = 0; i < kCount; ++i) {
-        const OverlapResult expected = testOverlap(map.reference, rects[i], threshold);
-        ASSERT_EQ(states[i].verdict, expected.verdict) << size.width << "x" << size.height << " rect " << i;
-        ASSERT_NEAR(states[i].lv, expected.lv, 2e-5F) << size.width << "x" << size.height << " rect " << i;
-        ++verdicts[states[i].verdict];
+class AnalyseGl : public test::GlTest {
+ protected:
+  /// Runs the kernel of a mode on given boxes, some of them drawn early, and compares with the twin.
+  static void compare(gpu::uint mode, std::size_t (&verdicts)[gpu::kVerdictCount]) {
+    constexpr std::size_t kCount = 1500;
+    const SceneData scene = sceneOfCount(kCount);
+    const render::SceneBuffers buffers(scene);
+    VisibilityPass pass(buffers.objectCount());
+    for (const ScreenSize size : kSizes) {
+      for (const float threshold : {1.0F, 0.9F}) {
+        const GivenMap map(size, structuredPixels(size, 7 + size.height));
+        const GivenDepth depth(size, structuredDepth(size, 7 + size.height),
+                               mode == gpu::kCullHiz ? DepthSource::kAll : DepthSource::kCovered, true);
+        const Cover cover{mode == gpu::kCullHiz ? nullptr : &map.reference,
+                          mode == gpu::kCullHom ? nullptr : &depth.reference};
+        const std::vector<gpu::ScreenBox> boxes = adversarialBoxes(size, kCount, size.width);
+        gpu::CullView view = makeView(scene, {}, size, 0.0F);
+        view.cullMode = mode;
+        view.cullThreshold = threshold;
+        view.occluderTau = mode == gpu::kCullHomDepth ? 0.5F : 0.0F;
+        pass.setView(view);
+        std::vector<gpu::ObjectState> states(kCount, {gpu::kVerdictPending, 3, 20, -1.0F});
+        std::vector<gpu::uint> marks(kCount);
+        for (std::size_t i = 0; i < kCount; i += 3)
+          marks[i] = mode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+        pass.boxesForTest().write(0, std::as_bytes(std::span(boxes)));
+        pass.statesForTest().write(0, std::as_bytes(std::span(states)));
+        pass.marksForTest().write(0, std::as_bytes(std::span(marks)));
+        pass.analyse(buffers.bindings(), mode, {&map.pass, &depth.pass, &depth.texture});
+        const auto gpuStates = pass.states().read<gpu::ObjectState>(kCount);
+        const auto gpuMarks = pass.marks().read<gpu::uint>(kCount);
+        for (std::size_t i = 0; i < kCount; ++i) {
+          const OverlapResult result =
+              testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F);
+          applyOverlap(result, view, scene.chains[0], states[i], marks[i]);
+          ASSERT_EQ(gpuStates[i].verdict, states[i].verdict) << size.width << "x" << size.height << " box " << i;
+          ASSERT_NEAR(gpuStates[i].lv, states[i].lv, 2e-5F) << size.width << "x" << size.height << " box " << i;
+          ASSERT_EQ(gpuMarks[i], marks[i]) << size.width << "x" << size.height << " box " << i;
+          ++verdicts[states[i].verdict];
+        }
       }
     }
   }
+};
+
+TEST_F(AnalyseGl, MapEqualsTheTwin) {
+  std::size_t verdicts[gpu::kVerdictCount] = {};
+  compare(gpu::kCullHom, verdicts);
   EXPECT_GT(verdicts[gpu::kVerdictOccluded], 100U);
+  EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
+  EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
+}
+
+TEST_F(AnalyseGl, MapWithDepthEqualsTheTwin) {
+  std::size_t verdicts[gpu::kVerdictCount] = {};
+  compare(gpu::kCullHomDepth, verdicts);
+  EXPECT_GT(verdicts[gpu::kVerdictOccluded], 20U);
+  EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
+  EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
+}
+
+TEST_F(AnalyseGl, DepthPyramidEqualsTheTwinAndTellsStaleFromOccluded) {
+  std::size_t verdicts[gpu::kVerdictCount] = {};
+  compare(gpu::kCullHiz, verdicts);
+  EXPECT_GT(verdicts[gpu::kVerdictOccluded], 100U);
+  EXPECT_GT(verdicts[gpu::kVerdictStale], 50U);
   EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
   EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
 }
@@ -245,88 +379,186 @@ TEST_F(AnalyseGl, DecidedObjectsAreLeftAlone) {
                                                  {gpu::kVerdictNear, 0, 20, -1.0F},
                                                  {gpu::kVerdictOpen, 0, 20, -1.0F}};
   pass.statesForTest().write(0, std::as_bytes(std::span(decided)));
-  pass.analyse(buffers.bindings(), map.pass);
+  pass.analyse(buffers.bindings(), gpu::kCullHom, {&map.pass, nullptr, nullptr});
   const auto states = pass.states().read<gpu::ObjectState>(4);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(states[i].verdict, decided[i].verdict);
 }
-
-class EmitGl : public test::GlTest {};
 
 bool sameCommand(const gpu::DrawCommand& a, const gpu::DrawCommand& b) {
   return a.count == b.count && a.instanceCount == b.instanceCount && a.firstIndex == b.firstIndex &&
          a.baseVertex == b.baseVertex && a.baseInstance == b.baseInstance;
 }
 
-/// Spheres, some mirrored, half of them with a second, double-sided chain.
-asset::SceneFile mixedFile() {
-  asset::SceneFile file = test::randomSpheres(200, 5.0F, 3);
-  file.materials.push_back(file.materials.front());
-  file.materials.back().doubleSided = true;
-  asset::Primitive sheet = test::box(glm::vec3(1.0F), 1);
-  file.meshes.push_back({"box with both", {sheet, test::box(glm::vec3(0.5F), 0)}});
+/// Spheres, some mirrored; a third of the objects of a second chain with solid, double-sided and blended boxes.
+asset::SceneFile mixedFile(std::uint32_t count) {
+  asset::SceneFile file = test::randomSpheres(count, 5.0F, 3);
+  file.materials.resize(3, file.materials.front());
+  file.materials[1].doubleSided = true;
+  file.materials[2].alphaMode = asset::AlphaMode::kBlend;
+  file.meshes.push_back(
+      {"box with all", {test::box(glm::vec3(1.0F), 1), test::box(glm::vec3(0.5F), 0), test::box(glm::vec3(1.2F), 2)}});
   file.chains.push_back({"box", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
-  for (std::size_t i = 0; i < file.instances.size(); i += 2)
+  for (std::size_t i = 0; i < file.instances.size(); i += 3)
     file.instances[i].chain = 1;
   return file;
 }
 
-TEST_F(EmitGl, CommandsEqualTheTwinOnBothDetailPaths) {
-  for (const bool patches : {false, true}) {
-    const SceneData scene = scene::buildScene(mixedFile(), {.patches = patches});
-    const auto count = static_cast<gpu::uint>(scene.objects.size());
+class DrawListGl : public test::GlTest {
+ protected:
+  struct Input {
+    std::vector<gpu::ObjectState> states;
+    std::vector<gpu::ScreenBox> boxes;
+    std::vector<gpu::uint> marks;
+  };
+
+  /// Random states; mirrored marks come from the transforms.
+  static Input randomInput(const SceneData& scene, gpu::uint maxTessellation, std::uint64_t seed) {
+    Random random(seed);
+    Input input;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
+      input.states.push_back({gpu::kVerdictPartial, random.below(chain.lodCount),
+                              random.below(3) == 0 ? 1 : 1 + random.below(maxTessellation), -1.0F});
+      input.boxes.push_back({0, 0, 1, 1, 0.5F, std::exp2(random.uniform(0.0F, 12.0F)), 1.0F, 0.0F});
+      input.marks.push_back(random.below(8) | (isMirrored(scene.transforms[i]) ? gpu::kMarkMirrored : 0));
+    }
+    return input;
+  }
+
+  /// Builds one list on the GPU and compares instances, commands and counts with the twin.
+  static void compare(const SceneData& scene, const gpu::CullView& view, gpu::uint phase,
+                      const DrawListOptions& options, const Input& input) {
     const render::SceneBuffers buffers(scene);
-    VisibilityPass pass(count);
+    VisibilityPass pass(buffers.objectCount());
+    pass.setView(view);
+    pass.statesForTest().write(0, std::as_bytes(std::span(input.states)));
+    pass.boxesForTest().write(0, std::as_bytes(std::span(input.boxes)));
+    pass.marksForTest().write(0, std::as_bytes(std::span(input.marks)));
+    DrawListPass lists(scene);
+    DrawList list(scene, phase, options);
+    for (int repeat = 0; repeat < 2; ++repeat)  // the second run starts from the first one's leftovers
+      lists.build(list, buffers.bindings(), pass);
+    const DrawLists expected = buildDrawLists(scene, view, input.states, input.boxes, input.marks, phase,
+                                              options.submission, options.capacity);
+    const auto instances = list.instances().read<gpu::uint>(expected.instances.size());
+    EXPECT_EQ(instances, expected.instances);
+    const auto counts = list.drawCounts().read<gpu::uint>(gpu::kDrawCounts);
+    EXPECT_EQ(counts[gpu::kCountInstances], expected.instances.size());
+    EXPECT_EQ(counts[gpu::kCountDropped], expected.dropped);
+    const gpu::uint kinds = options.patches ? gpu::kListCount : gpu::kListsPerDetail;
+    const auto commands = list.commands().read<gpu::DrawCommand>(std::size_t{kinds} * list.commandCapacity());
+    for (gpu::uint kind = 0; kind < kinds; ++kind) {
+      std::vector<gpu::DrawCommand> wanted = expected.commands[kind];
+      const bool perObject = options.submission == Submission::kPerObject;
+      EXPECT_EQ(counts[kind], perObject ? expected.instances.size() : wanted.size()) << "list " << kind;
+      wanted.resize(list.commandCapacity());  // the rest must draw nothing
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const gpu::DrawCommand& actual = commands[std::size_t{kind} * list.commandCapacity() + i];
+        if (wanted[i].instanceCount == 0) {
+          ASSERT_EQ(actual.instanceCount, 0U) << "list " << kind << " command " << i;
+        } else {
+          ASSERT_TRUE(sameCommand(actual, wanted[i])) << "list " << kind << " command " << i;
+        }
+      }
+    }
+  }
+};
+
+TEST_F(DrawListGl, EqualsTheTwinOnBothDetailPathsAndSubmissions) {
+  for (const bool patches : {false, true}) {
+    const SceneData scene = scene::buildScene(mixedFile(700), {.patches = patches});
     gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-    view.detail = patches ? gpu::kDetailTessellation : gpu::kDetailDiscrete;
-    for (const gpu::uint rule : {gpu::kLodFinest, gpu::kLodLinear}) {
-      view.lodRule = rule;
-      pass.setView(view);
-      Random random(17);
-      std::vector<gpu::ObjectState> input(count);
-      for (gpu::ObjectState& state : input)
-        state = {random.below(gpu::kVerdictCount), 0, view.maxTessellation, random.uniform(-2.0F, 1.0F)};
-      input[0] = {gpu::kVerdictPartial, 0, view.maxTessellation, 1.0F};  // level 1: the plain program
-      pass.statesForTest().write(0, std::as_bytes(std::span(input)));
-      pass.emitCommands(buffers.bindings());
-      const auto states = pass.states().read<gpu::ObjectState>(count);
-      const auto commands = pass.commands().read<gpu::DrawCommand>(std::size_t{gpu::kListCount} * count);
-      const gpu::uint lists = patches ? gpu::kListCount : gpu::kListSolidPatch;
-      for (gpu::uint i = 0; i < count; ++i) {
-        const gpu::ObjectState expected = chooseDetail(input[i], view, scene.chains[scene.objects[i].chain]);
-        ASSERT_EQ(states[i].lod, expected.lod) << i;
-        ASSERT_EQ(states[i].tessellation, expected.tessellation) << i;
-        const auto wanted =
-            objectCommands(scene, view, i, isDrawn(expected.verdict), expected.lod, expected.tessellation);
-        for (gpu::uint list = 0; list < lists; ++list)
-          ASSERT_TRUE(sameCommand(commands[std::size_t{list} * count + i], wanted[list]))
-              << "object " << i << " list " << list;
+    for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+      if (detail == gpu::kDetailTessellation && !patches) continue;
+      for (const gpu::uint mode : {gpu::kCullHomDepth, gpu::kCullHiz}) {
+        view.detail = detail;
+        view.cullMode = mode;
+        view.occluderTau = 2.0F;
+        const Input input = randomInput(scene, view.maxTessellation, 17 + mode);
+        for (const gpu::uint phase : {gpu::kMarkEarly, gpu::kMarkLate})
+          for (const Submission submission : {Submission::kInstanced, Submission::kPerObject})
+            for (const std::uint32_t capacity : {700U, 100U, 1U})
+              compare(scene, view, phase, {submission, capacity, patches}, input);
       }
     }
   }
 }
 
-TEST_F(EmitGl, OccluderPassDrawsExactlyTheOccluders) {
-  const SceneData scene = scene::buildScene(test::randomSpheres(300, 10.0F, 8));
-  const auto count = static_cast<gpu::uint>(scene.objects.size());
-  const render::SceneBuffers buffers(scene);
-  VisibilityPass pass(count);
-  const gpu::CullView view =
-      makeView(scene, scene::lookAt({0, 0, 25}, {0, 0, 0}, scene.boundsWorld), {320, 200}, 18.0F);
-  pass.setView(view);
-  pass.classify(buffers.bindings());
-  const auto states = pass.states().read<gpu::ObjectState>(count);
-  const auto commands = pass.commands().read<gpu::DrawCommand>(std::size_t{2} * count);
-  std::size_t occluders = 0;
-  for (gpu::uint i = 0; i < count; ++i) {
-    const bool occluder = states[i].verdict == gpu::kVerdictOccluder;
-    occluders += occluder ? 1 : 0;
-    const auto wanted = objectCommands(scene, view, i, occluder, 0, view.maxTessellation);
-    for (gpu::uint list = 0; list < 2; ++list)
-      ASSERT_TRUE(sameCommand(commands[std::size_t{list} * count + i], wanted[list])) << "object " << i;
+TEST_F(DrawListGl, EdgesOfTilesScansAndChains) {
+  for (const std::uint32_t count : {0U, 1U, 63U, 64U, 65U, 129U}) {
+    const SceneData scene = scene::buildScene(mixedFile(count));
+    gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
+    view.cullMode = gpu::kCullHiz;
+    Input input = randomInput(scene, 20, count);
+    compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, count, false}, input);
+    for (gpu::uint& mark : input.marks)
+      mark = 0;  // nothing drawn
+    compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, count, false}, input);
+    for (gpu::uint& mark : input.marks)
+      mark = gpu::kMarkLate;  // everything
+    compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, count, false}, input);
   }
-  EXPECT_GT(occluders, 10U);
-  EXPECT_LT(occluders, count);
+}
+
+TEST_F(DrawListGl, ManyTilesNeedASecondPrefixSum) {
+  const SceneData scene = scene::buildScene(mixedFile(40000));
+  EXPECT_GT(scene.binLayout.entryCount, 2 * gpu::kScanBlock);
+  gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
+  view.cullMode = gpu::kCullHiz;
+  compare(scene, view, gpu::kMarkEarly, {Submission::kInstanced, 40000, false}, randomInput(scene, 20, 5));
+}
+
+TEST_F(DrawListGl, ManyChainsNeedSeveralRoundsOfCommands) {
+  asset::SceneFile file = test::sphereChain(4);
+  for (std::uint32_t c = 1; c < 150; ++c)
+    file.chains.push_back({"copy", file.chains[0].levels});
+  for (std::uint32_t i = 0; i < 3000; ++i)
+    test::addInstance(file, (i * 7919U) % 150, {0, 0, 0}, {i % 5 == 0 ? -1.0F : 1.0F, 1, 1});
+  const SceneData scene = scene::buildScene(file);
+  EXPECT_GT(scene.binLayout.bins.size(), 4 * gpu::kScanGroupSize);
+  gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
+  view.cullMode = gpu::kCullHiz;
+  compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, 3000, false}, randomInput(scene, 20, 6));
+}
+
+class CountGl : public test::GlTest {};
+
+TEST_F(CountGl, FiguresEqualTheTwinAndArriveThroughTheRing) {
+  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+    const SceneData scene = scene::buildScene(mixedFile(1000), {.patches = true});
+    const render::SceneBuffers buffers(scene);
+    VisibilityPass pass(buffers.objectCount());
+    DrawListPass lists(scene);
+    DrawList list(scene, gpu::kMarkLate, {Submission::kInstanced, 1000, true});
+    StatisticsPass ring;
+    EXPECT_FALSE(ring.latest().has_value());
+    gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
+    view.detail = detail;
+    view.cullMode = gpu::kCullHiz;
+    pass.setView(view);
+    Random random(3);
+    std::vector<gpu::ObjectState> states;
+    std::vector<gpu::uint> marks;
+    for (std::uint64_t frame = 1; frame <= 7; ++frame) {
+      states.clear();
+      marks.clear();
+      for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        states.push_back({random.below(gpu::kVerdictCount), random.below(scene.chains[scene.objects[i].chain].lodCount),
+                          1 + random.below(20), -1.0F});
+        marks.push_back(random.below(16));
+      }
+      pass.statesForTest().write(0, std::as_bytes(std::span(states)));
+      pass.marksForTest().write(0, std::as_bytes(std::span(marks)));
+      lists.build(list, buffers.bindings(), pass);
+      ring.endFrame(buffers.bindings(), pass, view, nullptr, list);
+    }
+    const auto& record = ring.finish();
+    ASSERT_TRUE(record.has_value());
+    EXPECT_EQ(record->frame, 7U);
+    EXPECT_EQ(record->counters, countStates(scene, view, states, marks));
+    EXPECT_GT(triangleSum(record->counters), 1000U);
+  }
 }
 
 }  // namespace

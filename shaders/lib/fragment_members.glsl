@@ -1,0 +1,8 @@
+  vec3 positionWorld;
+  vec3 normalWorld;
+  vec2 uv;
+  vec4 color;
+  flat vec3 tint;       // colour of a debug view, if one is on
+  flat uint material;
+  flat uint mirrored;
+  flat uint objectId;

@@ -1,0 +1,54 @@
+// First step of a draw list: how many instances of every bin each tile of objects holds, and each object's rank among
+// those of its tile (docs/two_phase_culling.md, "Ordered lists"). No atomics: the order is the order of the objects.
+//
+// One workgroup: one tile. Reads tiles, chains, lods, states, boxes, marks. Writes slots, entries.
+// Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp
+#version 450 core
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "shared/frame_structs.h"
+#include "lib/list_buffers.glsl"
+#include "lib/lod.glsl"
+
+layout(local_size_x = kObjectGroupSize) in;
+layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]; };
+layout(std430, binding = kBindingSlots) writeonly buffer SlotBlock { uint slots[]; };
+layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
+layout(std430, binding = kBindingBoxes) readonly buffer BoxBlock { ScreenBox boxes[]; };
+layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
+
+shared uint binOfLane[kObjectGroupSize];
+
+/// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
+bool drawsOcclusionMap() { return listView.phase == kMarkEarly && cullView.cullMode != kCullHiz; }
+
+uint binOf(uint id, Chain chain) {
+  uint mark = marks[id];
+  if ((mark & listView.phase) == 0u) return kNoBin;
+  uint level = states[id].lod;
+  if (cullView.detail == kDetailTessellation) {
+    level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
+  } else if (drawsOcclusionMap()) {
+    level = pixelErrorLod(chain, boxes[id].pixelsPerUnit, cullView.occluderTau);
+  }
+  return 2u * level + ((mark & kMarkMirrored) != 0u ? 1u : 0u);
+}
+
+void main() {
+  Tile tile = tiles[gl_WorkGroupID.x];
+  Chain chain = chains[tile.chain];
+  uint lane = gl_LocalInvocationID.x;
+  uint id = tile.firstObject + lane;
+  uint bin = lane < tile.objectCount ? binOf(id, chain) : kNoBin;
+  binOfLane[lane] = bin;
+  barrier();
+
+  uint rank = 0u, count = 0u;
+  for (uint other = 0u; other < tile.objectCount; ++other) {
+    uint otherBin = binOfLane[other];
+    rank += otherBin == bin && other < lane ? 1u : 0u;
+    count += otherBin == lane ? 1u : 0u;
+  }
+  if (lane < tile.objectCount) slots[id] = bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin;
+  if (lane < chain.binCount) entries[entryIndex(chain, lane, tile.tileOfChain)] = count;
+}

@@ -1,0 +1,50 @@
+// Figures of the frame, summed on the GPU: verdicts, levels, triangles (docs/formats.md). Sums of whole numbers do not
+// depend on their order, so atomics leave the result the same in every run.
+//
+// One thread: one object. Reads states, marks, objects, chains, lods. Adds to counters, which the frame cleared.
+// Barrier owed: BUFFER_UPDATE for the copy into the ring. CPU twin: src/visibility/frame_counters.cpp
+#version 450 core
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "shared/frame_structs.h"
+
+layout(local_size_x = kObjectGroupSize) in;
+layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
+layout(std430, binding = kBindingObjects) readonly buffer ObjectBlock { Object objects[]; };
+layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chains[]; };
+layout(std430, binding = kBindingLods) readonly buffer LodBlock { Lod lods[]; };
+layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
+layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
+layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]; };
+
+shared uint groupCounters[kObjectGroupSize];
+
+/// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
+uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
+
+void countObject(uint id) {
+  ObjectState state = states[id];
+  uint mark = marks[id];
+  bool twoPhases = cullView.cullMode == kCullHiz;
+  atomicAdd(groupCounters[kCounterVerdicts + state.verdict], 1u);
+  bool early = twoPhases && (mark & kMarkEarly) != 0u;
+  bool late = (mark & kMarkLate) != 0u;
+  if (!early && !late) return;
+  atomicAdd(groupCounters[early ? kCounterEarly : kCounterLate], 1u);
+  Chain chain = chains[objects[id].chain];
+  bool patches = cullView.detail == kDetailTessellation;
+  uint triangles = patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
+                           : lods[chain.firstLod + state.lod].triangleCount;
+  atomicAdd(groupCounters[kCounterLevels + (patches ? state.tessellation - 1u : state.lod)], 1u);
+  for (uint limb = 0u; limb < 4u; ++limb)
+    atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);
+}
+
+void main() {
+  uint lane = gl_LocalInvocationID.x;
+  groupCounters[lane] = 0u;
+  barrier();
+  if (gl_GlobalInvocationID.x < cullView.objectCount) countObject(gl_GlobalInvocationID.x);
+  barrier();
+  if (lane < kCounterCount && groupCounters[lane] > 0u) atomicAdd(counters[lane], groupCounters[lane]);
+}

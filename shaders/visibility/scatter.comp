@@ -1,0 +1,38 @@
+// Puts every object of a phase at its place in the instance list.
+//
+// JAL_PER_OBJECT: the reference path writes one command per instance as well, in the same order.
+// One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances (and commands).
+// Barrier owed: VERTEX_ATTRIB_ARRAY, SHADER_STORAGE, COMMAND. CPU twin: src/visibility/draw_lists_reference.cpp
+#version 450 core
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "shared/frame_structs.h"
+#include "lib/list_buffers.glsl"
+#include "lib/offsets.glsl"
+#ifdef JAL_PER_OBJECT
+#include "lib/commands.glsl"
+#endif
+
+layout(local_size_x = kObjectGroupSize) in;
+layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]; };
+layout(std430, binding = kBindingSlots) readonly buffer SlotBlock { uint slots[]; };
+layout(std430, binding = kBindingInstances) writeonly buffer InstanceBlock { uint instances[]; };
+
+void main() {
+  Tile tile = tiles[gl_WorkGroupID.x];
+  if (gl_LocalInvocationID.x >= tile.objectCount) return;
+  uint id = tile.firstObject + gl_LocalInvocationID.x;
+  uint slot = slots[id];
+  if (slot == kNoBin) return;
+  uint bin = slot & ((1u << kSlotBinBits) - 1u);
+  Chain chain = chains[tile.chain];
+  uint place = offsetOf(entryIndex(chain, bin, tile.tileOfChain)) + (slot >> kSlotBinBits);
+  if (place >= listView.capacity) return;  // counted by write_commands.comp
+  instances[place] = id;
+#ifdef JAL_PER_OBJECT
+  Ranges ranges = rangesOf(chain, bin, cullView.detail);
+  for (uint k = 0u; k < kListsPerDetail; ++k)
+    commands[(ranges.firstList + k) * listView.commandCapacity + place] = DrawCommand(
+        ranges.count[k], ranges.count[k] > 0u ? 1u : 0u, ranges.firstIndex[k], ranges.baseVertex, place);
+#endif
+}

@@ -1,0 +1,77 @@
+// Level 1 comes straight from the depth buffer; no copy of the full-size depth is made.
+#include "visibility/depth_pyramid_pass.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "shared/frame_structs.h"
+#include "shared/limits.h"
+#include "visibility/program_table.h"
+
+namespace jalousie::visibility {
+namespace {
+
+constexpr std::size_t kSliceBytes = 256;  // satisfies every driver's GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
+
+gl::Buffer makeViews(const MapLayout& layout) {
+  std::vector<std::byte> bytes(kSliceBytes * layout.levels);
+  gl::Buffer views(bytes.size(), GL_DYNAMIC_STORAGE_BIT, "depth pyramid steps");
+  for (std::uint32_t level = 1; level < layout.levels; ++level) {
+    const gpu::ReduceView view{layout.screenWidth, layout.screenHeight, level >= 2 ? level - 2 : 0, 0};
+    views.write(kSliceBytes * level, std::as_bytes(std::span(&view, 1)));
+  }
+  return views;
+}
+
+gl::Handle<gl::SamplerTraits> makeMinSampler() {
+  GLuint id = 0;
+  glCreateSamplers(1, &id);
+  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(id, GL_TEXTURE_REDUCTION_MODE_ARB, GL_MIN);
+  return gl::Handle<gl::SamplerTraits>(id);
+}
+
+}  // namespace
+
+DepthPyramidPass::DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities)
+    : layout_(layout),
+      minMaxFilter_(capabilities.minMaxFilter),
+      texture_(GL_TEXTURE_2D, GL_R32F,
+               {layout.levelWidth(1), layout.levelHeight(1), 1, std::max(layout.levels - 1, 1U)}, "depth pyramid"),
+      firstProgram_(programSource(ProgramId::kReduceDepthFirst)),
+      firstCoveredProgram_(programSource(ProgramId::kReduceDepthFirstCovered)),
+      reduceProgram_(programSource(minMaxFilter_ ? ProgramId::kReduceDepthMinMax : ProgramId::kReduceDepth)),
+      views_(makeViews(layout)) {
+  texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+  if (minMaxFilter_) sampler_ = makeMinSampler();
+}
+
+void DepthPyramidPass::build(const gl::Texture& depth, DepthSource source) const {
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  for (std::uint32_t level = 1; level < layout_.levels; ++level) {
+    const bool first = level == 1;
+    (first ? source == DepthSource::kCovered ? firstCoveredProgram_ : firstProgram_ : reduceProgram_).use();
+    (first ? depth : texture_).bind(gpu::kUnitDepth);
+    if (minMaxFilter_ && level == 2) glBindSampler(gpu::kUnitDepth, sampler_.id());
+    texture_.bindImage(gpu::kImageTarget, level - 1, GL_WRITE_ONLY);
+    views_.bindUniformRange(gpu::kBindingReduceView, kSliceBytes * level, sizeof(gpu::ReduceView));
+    const auto groups = [](std::uint32_t texels) { return (texels + gpu::kTexelGroupSide - 1) / gpu::kTexelGroupSide; };
+    glDispatchCompute(groups(layout_.levelWidth(level)), groups(layout_.levelHeight(level)), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  }
+  glBindSampler(gpu::kUnitDepth, 0);
+}
+
+std::vector<float> DepthPyramidPass::readLevel(std::uint32_t level) const {
+  JAL_CHECK(level >= 1U);
+  std::vector<float> values(std::size_t{layout_.levelWidth(level)} * layout_.levelHeight(level));
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glGetTextureImage(texture_.id(), static_cast<GLint>(level - 1), GL_RED, GL_FLOAT,
+                    static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+  return values;
+}
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,44 @@
+// The farthest-depth pyramid on the GPU (docs/two_phase_culling.md).
+#pragma once
+
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/capabilities.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "visibility/occlusion_map_reference.h"
+
+namespace jalousie::visibility {
+
+/// Which pixels of the depth buffer count.
+enum class DepthSource {
+  kAll,      ///< what nothing covers is infinitely far
+  kCovered,  ///< what nothing covers does not count; only where the occlusion map says how much is covered
+};
+
+/// One pyramid for one screen size. CPU twin: DepthPyramidReference.
+class DepthPyramidPass {
+ public:
+  DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities);
+
+  const MapLayout& layout() const { return layout_; }
+  /// Level L of the screen (L >= 1) is level L - 1 of this texture.
+  const gl::Texture& texture() const { return texture_; }
+  /// @param depth  GL_DEPTH_COMPONENT32F of the screen's size. Leaves a TEXTURE_FETCH barrier behind.
+  void build(const gl::Texture& depth, DepthSource source) const;
+  /// One level above 0 with its padding; waits for the GPU. For tests.
+  std::vector<float> readLevel(std::uint32_t level) const;
+
+ private:
+  MapLayout layout_;
+  bool minMaxFilter_;
+  gl::Texture texture_;
+  gl::Handle<gl::SamplerTraits> sampler_;  ///< reduces four texels to their minimum, with minMaxFilter_
+  gl::Program firstProgram_;
+  gl::Program firstCoveredProgram_;
+  gl::Program reduceProgram_;
+  gl::Buffer views_;  ///< gpu::ReduceView, one slice per level
+};
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,105 @@
+// Five dispatches per list: bin, scan, scan the sums, scatter, write commands.
+#include "visibility/draw_list_pass.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "visibility/program_table.h"
+
+namespace jalousie::visibility {
+namespace {
+
+gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options) {
+  gpu::ListView view{};
+  view.phase = phase;
+  view.tileCount = static_cast<gpu::uint>(scene.binLayout.tiles.size());
+  view.binCount = static_cast<gpu::uint>(scene.binLayout.bins.size());
+  view.entryCount = scene.binLayout.entryCount;
+  view.capacity = options.capacity;
+  view.commandCapacity = options.submission == Submission::kInstanced ? view.binCount : options.capacity;
+  view.patches = options.patches ? 1 : 0;
+  return view;
+}
+
+gl::Buffer makeStorage(std::size_t bytes, const char* name) {
+  GLint64 largest = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
+  if (bytes > static_cast<std::size_t>(largest))
+    throw Error(ErrorCode::kLimit, std::string("the ") + name + " need " + std::to_string(bytes >> 20U) +
+                                       " MiB in one buffer, this driver allows " + std::to_string(largest >> 20U) +
+                                       " MiB");
+  gl::Buffer buffer(bytes, 0, name);
+  buffer.clear();
+  return buffer;
+}
+
+std::size_t commandBytes(const gpu::ListView& view) {
+  return sizeof(gpu::DrawCommand) * (view.patches != 0 ? gpu::kListCount : gpu::kListsPerDetail) * view.commandCapacity;
+}
+
+}  // namespace
+
+DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options)
+    : options_(options),
+      view_(makeView(scene, phase, options)),
+      viewBuffer_(sizeof(gpu::ListView), 0, "draw list view", &view_),
+      instances_(makeStorage(sizeof(gpu::uint) * options.capacity, "instance list")),
+      commands_(makeStorage(commandBytes(view_), "draw commands")),
+      drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, "draw counts")) {}
+
+DrawListPass::DrawListPass(const scene::SceneData& scene)
+    : tileCount_(static_cast<std::uint32_t>(scene.binLayout.tiles.size())),
+      blockCount_((scene.binLayout.entryCount + gpu::kScanBlock - 1) / gpu::kScanBlock),
+      binProgram_(programSource(ProgramId::kBinObjects)),
+      scanEntriesProgram_(programSource(ProgramId::kScanEntries)),
+      scanSumsProgram_(programSource(ProgramId::kScanSums)),
+      scatterProgram_(programSource(ProgramId::kScatter)),
+      scatterPerObjectProgram_(programSource(ProgramId::kScatterPerObject)),
+      writeCommandsProgram_(programSource(ProgramId::kWriteCommands)),
+      writeCountsProgram_(programSource(ProgramId::kWriteCounts)),
+      tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
+      bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
+      slots_(makeStorage(sizeof(gpu::uint) * scene.objects.size(), "slots")),
+      entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, "bin counts")),
+      blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, "block sums")) {
+  if (tileCount_ > 65535)
+    throw Error(ErrorCode::kLimit, "the scene has more objects than one dispatch reaches (4.1 million)");
+}
+
+void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) const {
+  visibility.view().bindUniform(gpu::kBindingCullView);
+  list.viewBuffer_.bindUniform(gpu::kBindingListView);
+  tiles_.bindStorage(gpu::kBindingTiles);
+  slots_.bindStorage(gpu::kBindingSlots);
+  scene.chains->bindStorage(gpu::kBindingChains);
+  scene.lods->bindStorage(gpu::kBindingLods);
+  visibility.states().bindStorage(gpu::kBindingStates);
+  visibility.boxes().bindStorage(gpu::kBindingBoxes);
+  visibility.marks().bindStorage(gpu::kBindingMarks);
+  entries_.bindStorage(gpu::kBindingEntries);
+}
+
+void DrawListPass::build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) {
+  if (tileCount_ == 0) return;
+  const bool perObject = list.options_.submission == Submission::kPerObject;
+  bind(list, scene, visibility);
+  const auto run = [](const gl::Program& program, std::uint32_t groups) {
+    program.use();
+    glDispatchCompute(groups, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  };
+  run(binProgram_, tileCount_);
+  blockSums_.bindStorage(gpu::kBindingBlockSums);
+  run(scanEntriesProgram_, blockCount_);
+  run(scanSumsProgram_, 1);
+  list.instances_.bindStorage(gpu::kBindingInstances);
+  list.commands_.bindStorage(gpu::kBindingCommands);
+  if (perObject) list.commands_.clear();
+  run(perObject ? scatterPerObjectProgram_ : scatterProgram_, tileCount_);
+  bins_.bindStorage(gpu::kBindingBins);
+  list.drawCounts_.bindStorage(gpu::kBindingDrawCounts);
+  run(perObject ? writeCountsProgram_ : writeCommandsProgram_, 1);
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,73 @@
+// Draw lists on the GPU: what a phase draws, sorted by chain and level without atomics (docs/two_phase_culling.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "scene/scene_data.h"
+#include "visibility/draw_lists_reference.h"
+#include "visibility/visibility_pass.h"
+
+namespace jalousie::visibility {
+
+/// What a list may hold and how it is drawn. Everything is allocated once.
+struct DrawListOptions {
+  Submission submission = Submission::kInstanced;
+  std::uint32_t capacity = 0;  ///< most instances; more are dropped and counted
+  bool patches = false;        ///< the scene has patch bases: twice as many lists
+};
+
+/// One list: instances and the commands that draw them.
+class DrawList {
+ public:
+  /// @param phase  kMarkEarly or kMarkLate: which marks put an object on the list
+  /// Errors: kLimit if the commands exceed the driver's largest storage block.
+  DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options);
+
+  const DrawListOptions& options() const { return options_; }
+  const gl::Buffer& instances() const { return instances_; }    ///< object ids [capacity]
+  const gl::Buffer& commands() const { return commands_; }      ///< gpu::DrawCommand [lists][commandCapacity]
+  const gl::Buffer& drawCounts() const { return drawCounts_; }  ///< gpu::uint [kDrawCounts]
+  std::uint32_t commandCapacity() const { return view_.commandCapacity; }
+  const gpu::ListView& view() const { return view_; }
+
+ private:
+  friend class DrawListPass;
+  DrawListOptions options_;
+  gpu::ListView view_;
+  gl::Buffer viewBuffer_;
+  gl::Buffer instances_;
+  gl::Buffer commands_;
+  gl::Buffer drawCounts_;
+};
+
+/// The kernels that fill lists, and their scratch memory. CPU twin: buildDrawLists.
+class DrawListPass {
+ public:
+  explicit DrawListPass(const scene::SceneData& scene);
+
+  /// Leaves COMMAND, VERTEX_ATTRIB_ARRAY, STORAGE and BUFFER_UPDATE barriers.
+  void build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility);
+
+ private:
+  void bind(const DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) const;
+
+  std::uint32_t tileCount_;
+  std::uint32_t blockCount_;
+  gl::Program binProgram_;
+  gl::Program scanEntriesProgram_;
+  gl::Program scanSumsProgram_;
+  gl::Program scatterProgram_;
+  gl::Program scatterPerObjectProgram_;
+  gl::Program writeCommandsProgram_;
+  gl::Program writeCountsProgram_;
+  gl::Buffer tiles_;
+  gl::Buffer bins_;
+  gl::Buffer slots_;
+  gl::Buffer entries_;
+  gl::Buffer blockSums_;
+};
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,42 @@
+// Counts object by object.
+#include "visibility/frame_counters.h"
+
+#include "core/check.h"
+#include "scene/patch_base.h"
+
+namespace jalousie::visibility {
+
+std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint detail,
+                          const gpu::ObjectState& state) {
+  if (detail == gpu::kDetailDiscrete) return scene.lods[chain.firstLod + state.lod].triangleCount;
+  return std::uint64_t{scene.lods[chain.patchLod].triangleCount} * scene::tessellatedTriangles(state.tessellation);
+}
+
+FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
+                          std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks) {
+  JAL_CHECK(states.size() == scene.objects.size());
+  JAL_CHECK(marks.size() == scene.objects.size());
+  FrameCounters counters = {};
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const gpu::ObjectState& state = states[i];
+    ++counters[gpu::kCounterVerdicts + state.verdict];
+    if (!isDrawn(marks[i], view.cullMode)) continue;
+    const bool early = view.cullMode == gpu::kCullHiz && (marks[i] & gpu::kMarkEarly) != 0;
+    ++counters[early ? gpu::kCounterEarly : gpu::kCounterLate];
+    const bool patches = view.detail == gpu::kDetailTessellation;
+    ++counters[gpu::kCounterLevels + (patches ? state.tessellation - 1 : state.lod)];
+    const std::uint64_t triangles = trianglesOf(scene, scene.chains[scene.objects[i].chain], view.detail, state);
+    for (gpu::uint limb = 0; limb < 4; ++limb)
+      counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+  }
+  return counters;
+}
+
+std::uint64_t triangleSum(const FrameCounters& counters) {
+  std::uint64_t sum = 0;
+  for (gpu::uint limb = 0; limb < 4; ++limb)
+    sum += std::uint64_t{counters[gpu::kCounterTriangles + limb]} << (10 * limb);
+  return sum;
+}
+
+}  // namespace jalousie::visibility

@@ -1,0 +1,93 @@
+// A slot holds the counters, then the draw counts of both lists.
+#include "visibility/statistics_pass.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "visibility/program_table.h"
+
+namespace jalousie::visibility {
+namespace {
+
+constexpr std::size_t kWords = gpu::kCounterCount + 2 * gpu::kDrawCounts;
+constexpr std::size_t kSlotBytes = 512;
+static_assert(kWords * sizeof(gpu::uint) <= kSlotBytes);
+constexpr GLbitfield kMapFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
+
+}  // namespace
+
+StatisticsPass::StatisticsPass()
+    : countProgram_(programSource(ProgramId::kCountStates)),
+      counters_(sizeof(FrameCounters), 0, "frame counters"),
+      mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
+      memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}
+
+StatisticsPass::~StatisticsPass() {
+  for (const Slot& slot : slots_)
+    if (slot.fence != nullptr) glDeleteSync(slot.fence);
+  glUnmapNamedBuffer(mapped_.id());
+}
+
+void StatisticsPass::endFrame(const SceneBindings& scene, const VisibilityPass& visibility, const gpu::CullView& view,
+                              const DrawList* early, const DrawList& late) {
+  ++frame_;
+  const std::size_t index = frame_ % slots_.size();
+  Slot& slot = slots_[index];
+  if (slot.fence != nullptr && !collect(slot, index, 0)) return;
+  if (visibility.objectCount() > 0) {
+    counters_.clear();
+    countProgram_.use();
+    visibility.view().bindUniform(gpu::kBindingCullView);
+    counters_.bindStorage(gpu::kBindingCounters);
+    scene.objects->bindStorage(gpu::kBindingObjects);
+    scene.chains->bindStorage(gpu::kBindingChains);
+    scene.lods->bindStorage(gpu::kBindingLods);
+    visibility.states().bindStorage(gpu::kBindingStates);
+    visibility.marks().bindStorage(gpu::kBindingMarks);
+    glDispatchCompute((visibility.objectCount() + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  }
+  const auto offset = static_cast<GLintptr>(index * kSlotBytes);
+  constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
+  constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
+  glCopyNamedBufferSubData(counters_.id(), mapped_.id(), 0, offset, kCounterBytes);
+  glCopyNamedBufferSubData((early != nullptr ? *early : late).drawCounts().id(), mapped_.id(), 0,
+                           offset + kCounterBytes, kCountBytes);
+  glCopyNamedBufferSubData(late.drawCounts().id(), mapped_.id(), 0, offset + kCounterBytes + kCountBytes, kCountBytes);
+  glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+  slot.frame = frame_;
+  slot.view = view;
+  slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs) {
+  const GLenum status = glClientWaitSync(slot.fence, GL_SYNC_FLUSH_COMMANDS_BIT, timeoutNs);
+  if (status != GL_ALREADY_SIGNALED && status != GL_CONDITION_SATISFIED) return false;
+  glDeleteSync(slot.fence);
+  slot.fence = nullptr;
+  if (latest_ && latest_->frame > slot.frame) return true;
+  FrameRecord record;
+  record.frame = slot.frame;
+  record.view = slot.view;
+  const gpu::uint* words = memory_ + index * kSlotBytes / sizeof(gpu::uint);
+  std::copy_n(words, gpu::kCounterCount, record.counters.begin());
+  std::copy_n(words + gpu::kCounterCount, gpu::kDrawCounts, record.early.begin());
+  std::copy_n(words + gpu::kCounterCount + gpu::kDrawCounts, gpu::kDrawCounts, record.late.begin());
+  latest_ = record;
+  return true;
+}
+
+const std::optional<FrameRecord>& StatisticsPass::latest() {
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    if (slots_[i].fence != nullptr) collect(slots_[i], i, 0);
+  return latest_;
+}
+
+const std::optional<FrameRecord>& StatisticsPass::finish() {
+  for (std::size_t i = 0; i < slots_.size(); ++i)
+    while (slots_[i].fence != nullptr && !collect(slots_[i], i, 1000000000ULL)) {
+    }
+  return latest_;
+}
+
+}  // namespace jalousie::visibility
