@@ -52,8 +52,8 @@ function(jalousie_add_library name)
 endfunction()
 
 # jalousie_add_test(NAME LABELS label... SOURCES ... [LIBS ...] [TIMEOUT s])
-# A GoogleTest program. Label `cpu`: one ctest entry per case. Label `gl`: one entry for the whole program,
-# so that the context and its compiled shaders are made once.
+# A GoogleTest program. Label `cpu`: one ctest entry per case. Labels `gl`, `golden`, `slow`: one entry for the whole
+# program, so that the context and its compiled shaders are made once. The presets leave `slow` out.
 function(jalousie_add_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -65,7 +65,7 @@ function(jalousie_add_test name)
   target_compile_definitions(${name} PRIVATE
     JALOUSIE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" JALOUSIE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   set(environment "UBSAN_OPTIONS=print_stacktrace=1")
-  if("gl" IN_LIST arg_LABELS OR "golden" IN_LIST arg_LABELS)
+  if(arg_LABELS MATCHES "gl|golden|slow")
     # llvmpipe on one thread is the reproducible reference; a GPU driver ignores the variable.
     # LeakSanitizer reports the driver's own allocations, so leaks are checked in the cpu tests.
     list(APPEND environment "LP_NUM_THREADS=1" "ASAN_OPTIONS=detect_leaks=0")
