@@ -59,6 +59,9 @@ void occlusionMap(benchmark::State& state) {
 void occlusionMapAndLv(benchmark::State& state) {
   decide(state, gpu::kCullHom, gpu::kLodLinear);
 }
+void twoPhases(benchmark::State& state) {
+  decide(state, gpu::kCullHiz, gpu::kLodPixelError);
+}
 
 void lowCoefficients16x16(benchmark::State& state) {
   Random random(3);
@@ -72,6 +75,7 @@ void lowCoefficients16x16(benchmark::State& state) {
 BENCHMARK(frustumOnly)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(occlusionMap)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(occlusionMapAndLv)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(twoPhases)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lowCoefficients16x16);
 
 }  // namespace

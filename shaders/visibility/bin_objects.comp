@@ -1,5 +1,5 @@
 // First step of a draw list: how many instances of every bin each tile of objects holds, and each object's rank among
-// those of its tile (docs/two_phase_culling.md, "Ordered lists"). No atomics: the order is the order of the objects.
+// those of its tile (docs/two_phase_culling.md, "Ordered lists"). Atomics only count; the order is the objects' own.
 //
 // One workgroup: one tile. Reads tiles, chains, lods, states, boxes, marks. Writes slots, entries.
 // Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp
@@ -18,6 +18,8 @@ layout(std430, binding = kBindingBoxes) readonly buffer BoxBlock { ScreenBox box
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
 
 shared uint binOfLane[kObjectGroupSize];
+shared uint countOfBin[kMaxBinsPerChain];
+shared uint members;
 
 /// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
 bool drawsOcclusionMap() { return listView.phase == kMarkEarly && cullView.cullMode != kCullHiz; }
@@ -41,14 +43,19 @@ void main() {
   uint id = tile.firstObject + lane;
   uint bin = lane < tile.objectCount ? binOf(id, chain) : kNoBin;
   binOfLane[lane] = bin;
+  countOfBin[lane] = 0u;
+  if (lane == 0u) members = 0u;
+  barrier();
+  if (bin != kNoBin) {
+    atomicAdd(countOfBin[bin], 1u);
+    atomicAdd(members, 1u);
+  }
   barrier();
 
-  uint rank = 0u, count = 0u;
-  for (uint other = 0u; other < tile.objectCount; ++other) {
-    uint otherBin = binOfLane[other];
-    rank += otherBin == bin && other < lane ? 1u : 0u;
-    count += otherBin == lane ? 1u : 0u;
+  uint rank = 0u;
+  if (members > 0u) {  // most tiles of the second phase are empty
+    for (uint other = 0u; other < lane; ++other) rank += binOfLane[other] == bin ? 1u : 0u;
   }
   if (lane < tile.objectCount) slots[id] = bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin;
-  if (lane < chain.binCount) entries[entryIndex(chain, lane, tile.tileOfChain)] = count;
+  if (lane < chain.binCount) entries[entryIndex(chain, lane, tile.tileOfChain)] = countOfBin[lane];
 }
