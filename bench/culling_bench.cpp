@@ -1,7 +1,9 @@
 // What every culling mode loses and saves on a scene: wrong pixels against the frame without culling, hidden objects
 // and triangles, along four kinds of camera path (around, through, fast turns, cuts). The honest numbers of every mode.
 //
-//   build/release/bin/culling_bench [--json] [--size WxH] [--frames N] SCENE.glb...
+//   build/release/bin/culling_bench [--json] [--size WxH] [--frames N] SCENE...
+//
+// SCENE is a glTF file, or ground-plane or leaf-cards: the procedural scenes of the tests.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -57,6 +59,12 @@ bool parse(int argc, char** argv, Arguments& arguments) {
   return !arguments.scenes.empty() && sizeFits && arguments.frames >= 4;
 }
 
+asset::SceneFile load(const std::string& scene) {
+  if (scene == "ground-plane") return test::groundPlane(800, 1);
+  if (scene == "leaf-cards") return test::leafCards(120, 600, 2);
+  return asset::readSceneFile(scene);
+}
+
 void report(const Arguments& arguments, const test::Journey& journey, nlohmann::ordered_json& json) {
   if (!arguments.json)
     std::printf(
@@ -96,14 +104,16 @@ void report(const Arguments& arguments, const test::Journey& journey, nlohmann::
 int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
-    std::fprintf(stderr, "usage: culling_bench [--json] [--size WxH] [--frames N] SCENE.glb...\n");
+    std::fprintf(stderr,
+                 "usage: culling_bench [--json] [--size WxH] [--frames N] SCENE...   (a glTF file, ground-plane or "
+                 "leaf-cards)\n");
     return 2;
   }
   try {
     const platform::HeadlessContext context(false);
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const std::string& file : arguments.scenes) {
-      test::Journey journey{file, scene::buildScene(asset::readSceneFile(file)), {}, {}};
+      test::Journey journey{file, scene::buildScene(load(file)), {}, {}};
       if (journey.scene.objects.empty()) throw Error(ErrorCode::kUsage, "the scene is empty", file);
       journey.camera = test::tour(journey.scene, arguments.frames / 4, 7);
       report(arguments, journey, json);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -152,6 +153,22 @@ TEST_F(RenderCommand, EveryPathGivesTheSamePicture) {
   EXPECT_EQ(bytes({"--mode", "frustum"}), image);
   EXPECT_EQ(bytes({"--draws", "per-object"}), image);
   EXPECT_EQ(bytes({"--core"}), image);
+}
+
+TEST_F(RenderCommand, SamePictureWhateverTheThreadCount) {
+  // llvmpipe reads the variable when it starts; other drivers ignore it.
+  std::vector<std::vector<std::uint8_t>> images;
+  const char* before = std::getenv("LP_NUM_THREADS");
+  const std::string saved = before != nullptr ? before : "";
+  for (const char* threads : {"1", "2", "5"}) {
+    setenv("LP_NUM_THREADS", threads, 1);
+    EXPECT_EQ(jalousie({"render", scene(), "--eye", "1,2,6", "--look", "0,0,0", "-o", file("threads.png")}).exitCode,
+              0);
+    images.push_back(asset::loadImage(file("threads.png")).pixels);
+  }
+  before != nullptr ? setenv("LP_NUM_THREADS", saved.c_str(), 1) : unsetenv("LP_NUM_THREADS");
+  EXPECT_EQ(images[0], images[1]);
+  EXPECT_EQ(images[0], images[2]);
 }
 
 TEST_F(RenderCommand, FullListsAreReported) {

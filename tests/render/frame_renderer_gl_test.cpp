@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <set>
@@ -419,6 +421,55 @@ TEST_F(FrameRendererGl, ContributionAndImportanceLowerTheBudgetWhereAsked) {
   plain.render(options, camera, camera);
   EXPECT_GT(plain.readStatistics().culledSmall, 10U);
   EXPECT_LT(plain.readStatistics().culledSmall, 300U);
+}
+
+/// Compares verdicts, levels of visibility and lists of a settled two-phase frame with the twins.
+void expectSettledFrameAgrees(const scene::SceneData& scene, const scene::Camera& camera, std::uint32_t width,
+                              std::uint32_t height) {
+  FrameRenderer renderer(scene, width, height);
+  FrameOptions options;
+  options.view = gpu::kViewLv;  // LV of every object
+  for (int frame = 0; frame < 4; ++frame)
+    renderer.render(options, camera, camera);
+  // Nothing is drawn late any more, so the final depth is what the pyramid was made of; blended surfaces come later.
+  ASSERT_EQ(renderer.readStatistics().drawn, renderer.readStatistics().drawnEarly);
+  ASSERT_FALSE(scene.usesBlending);
+  const visibility::DepthPyramidReference pyramid(renderer.pyramid().layout(), renderer.readDepth(), false);
+  const std::vector<gpu::ObjectState> states = renderer.readStates();
+  const std::vector<gpu::ScreenBox> boxes = renderer.readBoxes();
+  const std::vector<gpu::uint> marks = renderer.readMarks();
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].verdict < gpu::kVerdictOpen && states[i].verdict != gpu::kVerdictOccluded) continue;
+    const visibility::OverlapResult expected = visibility::testOverlap({nullptr, &pyramid}, boxes[i], 1.0F);
+    EXPECT_EQ(states[i].verdict, expected.verdict) << i;
+    EXPECT_NEAR(states[i].lv, expected.lv, 2e-5F) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 20U);
+  const visibility::DrawLists expected =
+      visibility::buildDrawLists(scene, renderer.cullView(), states, boxes, marks, gpu::kMarkEarly,
+                                 visibility::Submission::kInstanced, static_cast<std::uint32_t>(states.size()));
+  EXPECT_EQ(renderer.earlyList().instances().read<gpu::uint>(expected.instances.size()), expected.instances);
+}
+
+TEST_F(FrameRendererGl, SettledTwoPhaseFrameAgreesWithTheTwins) {
+  const scene::SceneData scene = wallScene(0.25F);
+  expectSettledFrameAgrees(scene, test::cameraBeforeWall(scene.boundsWorld), 333, 197);
+}
+
+TEST_F(FrameRendererGl, RealScenesAgreeWithTheTwins) {
+  const char* folder = std::getenv("JALOUSIE_SCENES");
+  if (folder == nullptr) GTEST_SKIP() << "JALOUSIE_SCENES names no folder with the two game scenes";
+  for (const char* name : {"candela_city", "cornfield_crossing"}) {
+    scene::SceneData scene =
+        scene::buildScene(asset::readSceneFile(std::filesystem::path(folder) / name / "scene.gltf"));
+    for (gpu::Lod& lod : scene.lods)
+      lod.blendCount = 0;  // drawn after the pyramid: leave them out so that the final depth is the pyramid's
+    scene.usesBlending = false;
+    expectSettledFrameAgrees(scene, scene::lookAt({0, 8, 0}, {-40, 4, -20}, scene.boundsWorld), 640, 360);
+    expectSettledFrameAgrees(scene, scene::frameBox(scene.boundsWorld, 1.0F), 333, 97);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <vector>
 
@@ -167,6 +169,21 @@ TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
       view.minPixels = 60.0F;
       view.tau = 3.0F;
       compareClassification(scene, view, &mask);
+    }
+  }
+}
+
+TEST_F(ClassifyGl, RealScenes) {
+  const char* folder = std::getenv("JALOUSIE_SCENES");
+  if (folder == nullptr) GTEST_SKIP() << "JALOUSIE_SCENES names no folder with the two game scenes";
+  for (const char* name : {"candela_city", "cornfield_crossing"}) {
+    const SceneData scene =
+        scene::buildScene(asset::readSceneFile(std::filesystem::path(folder) / name / "scene.gltf"));
+    for (const glm::vec3 eye : {glm::vec3(0, 8, 0), glm::vec3(0, 40, 60), glm::vec3(300, 200, 300)}) {
+      gpu::CullView view = makeView(scene, scene::lookAt(eye, {-40, 4, -20}, scene.boundsWorld), {1366, 768}, 40.0F);
+      view.cullMode = gpu::kCullHiz;
+      view.lodRule = gpu::kLodPixelError;
+      compareClassification(scene, view);
     }
   }
 }
