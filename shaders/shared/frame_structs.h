@@ -107,6 +107,7 @@ const uint kMarkVisible = 1u;   // passed the last visibility test
 const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into the frame before the test
 const uint kMarkLate = 4u;      // into the frame after the test
 const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
+const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible says something about it
 
 /// What the kernels decided for one object.
 struct ObjectState {

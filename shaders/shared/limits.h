@@ -30,6 +30,10 @@ const uint kMaxDescent = 2u;
 const uint kSlotBinBits = 8u;
 const uint kNoBin = 0xffffffffu;
 
+/// Two phases: an object that comes into view is drawn before the test if its rectangle covers at least this share of the
+/// screen: it probably hides more than it costs.
+const float kLargeShare = 1.0 / 32.0;
+
 /// Finest tessellation level (thesis 4.1.3). A patch then has 3 * 20^2 / 2 = 600 triangles.
 const uint kMaxTessellationLevel = 20u;
 /// Most levels one chain may have. State and colour scales assume no more.

@@ -30,13 +30,21 @@ uint classify(BoxOnScreen box, float importance) {
   return box.crossesNear ? kVerdictNear : kVerdictPending;
 }
 
+/// Two phases: what is drawn before the test. What was tested in the last frame is expected to stay as it was; of what is
+/// new, the large ones.
+bool isExpectedVisible(uint lastMarks, vec4 rect) {
+  if ((lastMarks & kMarkTested) != 0u) return (lastMarks & kMarkVisible) != 0u;
+  vec2 size = rect.zw - rect.xy;
+  return size.x * size.y >= kLargeShare * float(cullView.viewportWidth * cullView.viewportHeight);
+}
+
 /// What the verdict alone decides about the phases; analyse.comp adds the rest.
-uint phasesOf(uint verdict, bool wasVisible) {
+uint phasesOf(uint verdict, bool expectedVisible) {
   bool drawn = verdict != kVerdictOutside && verdict != kVerdictSmall;
   if (!drawn) return 0u;
   if (cullView.cullMode == kCullHiz) {
-    if (verdict == kVerdictNear) return kMarkEarly | kMarkVisible;
-    return wasVisible ? kMarkEarly | kMarkVisible : 0u;
+    if (verdict == kVerdictNear) return kMarkEarly | kMarkVisible | kMarkTested;
+    return expectedVisible ? kMarkEarly | kMarkVisible | kMarkTested : kMarkTested;
   }
   if (verdict == kVerdictOccluder) return kMarkEarly | kMarkLate | kMarkVisible;
   return verdict == kVerdictPending && selectsOccluders() ? 0u : kMarkLate | kMarkVisible;
@@ -59,12 +67,12 @@ void main() {
   boxes[id] = ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0);
 
   uint verdict = classify(box, importance);
-  bool wasVisible = (marks[id] & kMarkVisible) != 0u;
-  uint phases = phasesOf(verdict, wasVisible);
+  uint lastMarks = marks[id];
+  uint phases = phasesOf(verdict, isExpectedVisible(lastMarks, rect));
   marks[id] = phases | (isMirrored(transform) ? kMarkMirrored : 0u);
 
   // Two phases: what is drawn before the test has only last frame's level of visibility to go by.
-  bool early = cullView.cullMode == kCullHiz && wasVisible && verdict == kVerdictPending;
+  bool early = cullView.cullMode == kCullHiz && (lastMarks & kMarkVisible) != 0u && verdict == kVerdictPending;
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, early ? states[id].lv : -1.0);
   if (cullView.lodRule == kLodLinear) {
     state.lod = linearLod(state.lv, chain.lodCount);

@@ -113,10 +113,18 @@ gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float impo
   return box.crossesNear ? gpu::kVerdictNear : gpu::kVerdictPending;
 }
 
-gpu::uint phasesOf(gpu::uint verdict, bool wasVisible, gpu::uint cullMode) {
+bool isExpectedVisible(gpu::uint lastMarks, const glm::vec4& rect, const gpu::CullView& view) {
+  if ((lastMarks & gpu::kMarkTested) != 0) return (lastMarks & gpu::kMarkVisible) != 0;
+  const auto pixels = static_cast<float>(view.viewportWidth * view.viewportHeight);
+  return (rect.z - rect.x) * (rect.w - rect.y) >= gpu::kLargeShare * pixels;
+}
+
+gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint cullMode) {
   if (verdict == gpu::kVerdictOutside || verdict == gpu::kVerdictSmall) return 0;
-  if (cullMode == gpu::kCullHiz)
-    return verdict == gpu::kVerdictNear || wasVisible ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+  if (cullMode == gpu::kCullHiz) {
+    const bool early = verdict == gpu::kVerdictNear || expectedVisible;
+    return early ? gpu::kMarkEarly | gpu::kMarkVisible | gpu::kMarkTested : gpu::kMarkTested;
+  }
   if (verdict == gpu::kVerdictOccluder) return gpu::kMarkEarly | gpu::kMarkLate | gpu::kMarkVisible;
   return verdict == gpu::kVerdictPending && selectsOccluders(cullMode) ? 0 : gpu::kMarkLate | gpu::kMarkVisible;
 }
@@ -139,9 +147,10 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   Classified result;
   result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0F};
   const gpu::uint verdict = classify(box, view, weight);
-  const bool wasVisible = (lastMarks & gpu::kMarkVisible) != 0;
-  result.marks = phasesOf(verdict, wasVisible, view.cullMode) | (isMirrored(transform) ? gpu::kMarkMirrored : 0);
-  const bool early = view.cullMode == gpu::kCullHiz && wasVisible && verdict == gpu::kVerdictPending;
+  result.marks = phasesOf(verdict, isExpectedVisible(lastMarks, rect, view), view.cullMode) |
+                 (isMirrored(transform) ? gpu::kMarkMirrored : 0);
+  const bool early =
+      view.cullMode == gpu::kCullHiz && (lastMarks & gpu::kMarkVisible) != 0 && verdict == gpu::kVerdictPending;
   result.state = {verdict, 0, view.maxTessellation, early ? last.lv : -1.0F};
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
   if (view.lodRule == gpu::kLodLinear) {

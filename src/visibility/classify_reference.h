@@ -40,8 +40,12 @@ bool isMirrored(const gpu::Transform& transform);
 /// Verdict of one box before the overlap test. @param importance  in (0, 1]; scales the pixels it counts for
 gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance = 1.0F);
 
+/// Two phases: whether an object is drawn before the test. What was tested in the last frame is expected to stay as it
+/// was; of what is new, the large ones (kLargeShare). @param rect  pixels, clipped
+bool isExpectedVisible(gpu::uint lastMarks, const glm::vec4& rect, const gpu::CullView& view);
+
 /// kMark... that the verdict alone decides.
-gpu::uint phasesOf(gpu::uint verdict, bool wasVisible, gpu::uint cullMode);
+gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint cullMode);
 
 /// What the kernel writes for one object.
 struct Classified {

@@ -170,9 +170,22 @@ TEST(Classify, PhasesFollowModeVerdictAndHistory) {
   EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHom), 0U);  // the map decides
   EXPECT_EQ(phasesOf(gpu::kVerdictOccluder, false, gpu::kCullHom), gpu::kMarkEarly | gpu::kMarkLate | seen);
   EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHomDepth), gpu::kMarkLate | seen);
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullHiz), 0U);  // the test decides
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHiz), gpu::kMarkEarly | seen);
-  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHiz), gpu::kMarkEarly | seen);
+  const gpu::uint tested = gpu::kMarkTested;
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullHiz), tested);  // the test decides
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHiz), gpu::kMarkEarly | seen | tested);
+  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHiz), gpu::kMarkEarly | seen | tested);
+}
+
+TEST(Classify, WhatIsNewInViewIsExpectedVisibleIfItIsLarge) {
+  gpu::CullView view{};
+  view.viewportWidth = 320;
+  view.viewportHeight = 100;  // a thirty-second of it are 1000 pixels
+  const glm::vec4 large(0, 0, 50, 20);
+  const glm::vec4 small(0, 0, 49, 20);
+  EXPECT_TRUE(isExpectedVisible(0, large, view));
+  EXPECT_FALSE(isExpectedVisible(0, small, view));
+  EXPECT_FALSE(isExpectedVisible(gpu::kMarkTested, large, view)) << "hidden a frame ago";
+  EXPECT_TRUE(isExpectedVisible(gpu::kMarkTested | gpu::kMarkVisible, small, view)) << "seen a frame ago";
 }
 
 TEST(Classify, ContributionThresholdCountsTheRectanglesPixelsTimesImportance) {

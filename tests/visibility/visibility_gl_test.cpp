@@ -98,7 +98,8 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
   Random random(31);
   for (std::size_t i = 0; i < last.size(); ++i) {
     last[i] = {gpu::kVerdictPartial, 0, 1, random.uniform(-1.5F, 1.0F)};
-    lastMarks[i] = random.below(2) == 0 ? gpu::kMarkVisible : 0;
+    constexpr gpu::uint kHistories[] = {0, gpu::kMarkTested, gpu::kMarkTested | gpu::kMarkVisible, gpu::kMarkVisible};
+    lastMarks[i] = kHistories[random.below(4)];
   }
   pass.statesForTest().write(0, std::as_bytes(std::span(last)));
   pass.marksForTest().write(0, std::as_bytes(std::span(lastMarks)));
