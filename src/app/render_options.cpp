@@ -152,6 +152,15 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
       .add_option("--repeat", options.repeat, "Render N times after one warm-up and report median times; 1: no warm-up")
       ->check(CLI::Range(1U, 10000U))
       ->capture_default_str();
+  command
+      .add_option_function<std::uint32_t>(
+          "--settle",
+          [&options](const std::uint32_t& frames) {
+            options.settle = frames;
+            options.settleGiven = true;
+          },
+          "With --mode hiz, frames from the same camera before the picture; 0 shows the first frame after a cut [2]")
+      ->check(CLI::Range(0U, 1000U));
   command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
   command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
 }
@@ -181,6 +190,7 @@ void checkCombination(const RenderOptions& o) {
   if (!map && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom or hom-depth");
   if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
   if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
+  if (!twoPhases && o.settleGiven) refuse("--settle needs --mode hiz");
   if (o.lod != "pixel-error" && o.tauGiven) refuse("--tau needs --lod pixel-error");
   if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
   if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
@@ -212,13 +222,18 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addOutputOptions(command, options);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png
-      the thesis' pipeline from the start of the scene's camera path
-  jalousie render scene.glb --frame 900 --view lod --json stats.json -o lod.png
-      which level every object got, and the figures
-  jalousie render scene.glb --freeze-frame 0 --eye 0,40,-90 --look 0,0,0 --view lod -o behind.png
+      two-phase culling and levels within one pixel of error, from the start of the scene's camera path
+  jalousie render scene.glb --frame 900 --mode hom --lod linear --view lod --json stats.json -o lod.png
+      the thesis' pipeline: which level every object got, and the figures
+  jalousie render scene.glb --freeze-frame 0 --eye 0,40,-90 --look 0,0,0 -o behind.png
       what the camera at frame 0 left over, seen from behind
   jalousie render scene.glb --mode frustum --stats-only --json -
-      triangles without occlusion culling, no picture)");
+      triangles without occlusion culling, no picture
+  jalousie render scene.glb --settle 0 --view phase -o cut.png
+      the frame after a cut: what went into it before the test, and what only after it
+  jalousie render scene.glb --tau 2 --min-pixels 4 --importance mask.png -o cheap.png
+      a smaller budget, least where the mask is dark
+)");
 }
 
 }  // namespace jalousie::app

@@ -34,6 +34,8 @@ struct RenderOptions {
   std::string detail = "discrete";
   std::string view = "shaded";
   std::uint32_t repeat = 1;
+  std::uint32_t settle = 2;  ///< frames before the picture with hiz: 0 shows the frame of a cut
+  bool settleGiven = false;
   bool statsOnly = false;
   bool quiet = false;
   std::string draws = "instanced";
