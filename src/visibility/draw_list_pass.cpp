@@ -9,6 +9,13 @@
 namespace jalousie::visibility {
 namespace {
 
+static_assert(gpu::kMaxBinsPerChain == 2 * gpu::kMaxLods && gpu::kMaxBinsPerChain <= gpu::kObjectGroupSize,
+              "one thread of a tile writes each bin's count");
+static_assert(gpu::kScanBlock == gpu::kScanGroupSize * gpu::kScanEntriesPerThread &&
+                  gpu::kMaxScanBlocks <= gpu::kScanBlock,
+              "one workgroup sums up the blocks' totals");
+static_assert(gpu::kMaxBinsPerChain <= 1U << gpu::kSlotBinBits);
+
 gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options) {
   gpu::ListView view{};
   view.phase = phase;

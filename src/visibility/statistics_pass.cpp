@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t kWords = gpu::kCounterCount + 2 * gpu::kDrawCounts;
 constexpr std::size_t kSlotBytes = 512;
 static_assert(kWords * sizeof(gpu::uint) <= kSlotBytes);
+static_assert(gpu::kCounterCount <= gpu::kObjectGroupSize, "one thread of the kernel adds up each counter");
+static_assert(gpu::kCounterVerdicts + gpu::kVerdictCount <= gpu::kCounterLevels);
+static_assert(gpu::kMaxTessellationLevel <= gpu::kMaxLods);
 constexpr GLbitfield kMapFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
 
 }  // namespace

@@ -68,6 +68,21 @@ TEST_F(CullingGl, MovingMirroredAndFlattenedSpheresAtAnySize) {
     expectLossless(j, width, height, 20);
 }
 
+TEST_F(CullingGl, TessellatedSurfacesBeyondTheirFlatBase) {
+  asset::SceneFile file = test::sphereChain(1);
+  file.meshes[0].primitives = {test::sphere(7, 8)};
+  Random random(4);
+  for (int i = 0; i < 200; ++i)
+    test::addInstance(file, 0, {random.uniform(-5, 5), random.uniform(-3, 3), random.uniform(-5, 5)},
+                      glm::vec3(random.uniform(0.1F, 0.8F)));
+  test::Journey j{"tessellated", scene::buildScene(file, {.patches = true}), {}, {}};
+  j.camera = test::tour(j.scene, 5, 3);
+  FrameOptions options;
+  options.detail = gpu::kDetailTessellation;
+  options.tau = 0.5F;
+  EXPECT_GT(expectLossless(j, 200, 113, 20, options).culled, 100U);
+}
+
 TEST_F(CullingGl, BlendedSurfacesNeverOcclude) {
   asset::SceneFile file = crowd();
   file.materials.push_back({});
