@@ -1,4 +1,4 @@
-// Draws the command lists: one multi-draw-indirect call per program.
+// Draws the command lists: one multi-draw-indirect call per list.
 #pragma once
 
 #include <array>
