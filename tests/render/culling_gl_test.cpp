@@ -223,5 +223,29 @@ TEST_F(CullingGl, DepthAwareMapLosesNothingBehindAGroundPlaneWhereTheThesisMapDo
   EXPECT_GT(thesis.wrongPixels, 1000U) << "the known weakness: a plane among the occluders hides what stands on it";
 }
 
+TEST_F(CullingGl, CoarserOccluderThatCoversMoreThanItsFinestLevelIsGuarded) {
+  asset::SceneFile file = test::sphereChain(1);
+  file.meshes.push_back(
+      {"coarse", {test::box(glm::vec3(1.0F))}});  // holds the sphere; its corners are 0.73 away from it
+  file.chains[0].levels.push_back({1, 0.733F});
+  file.chains.push_back({"small", {{0, 0.0F}}});
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
+  test::addInstance(file, 1, {1.05F, 1.05F, -1.5F}, glm::vec3(0.1F));  // behind the box's corner, beside the sphere
+  const scene::SceneData scene = scene::buildScene(file);
+  FrameRenderer renderer(scene, 320, 180);
+  const scene::Camera camera = scene::lookAt({0, 0, 6}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options;
+  options.cullMode = gpu::kCullHomDepth;
+  options.lodRule = gpu::kLodFinest;
+  options.occluderDistance = 6.0F;
+  options.occluderTau = 40.0F;  // 0.733 units are 31 pixels at the sphere's near side: the box is drawn into the map
+  renderer.render(options, camera, camera);
+  const std::vector<float> open = renderer.map().readOpenPixels();
+  EXPECT_GT(std::count(open.begin(), open.end(), 0.0F), 3500) << "the box, not the sphere, is in the map";
+  EXPECT_TRUE(visibility::isDrawn(renderer.readMarks()[1], gpu::kCullHomDepth));
+  const test::Journey j{"", scene::buildScene(file), [camera](std::uint32_t) { return camera; }, {}};
+  expectLossless(j, 320, 180, 1, options);
+}
+
 }  // namespace
 }  // namespace jalousie::render
