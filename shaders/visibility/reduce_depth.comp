@@ -17,30 +17,31 @@ layout(r32f, binding = kImageTarget) writeonly uniform image2D target;
 
 const float kNearest = 1.0;  // never the farthest: padding, and with JAL_COVERED what is open
 
-#if defined(JAL_FROM_DEPTH)
-float fetchDepth(ivec2 texel) {
-  if (any(greaterThanEqual(texel, ivec2(reduceView.screenWidth, reduceView.screenHeight)))) return kNearest;
-  float depth = texelFetch(source, texel, 0).r;
+float farthestOf(vec4 depths) {
 #ifdef JAL_COVERED
-  if (depth <= 0.0) return kNearest;
+  depths = mix(depths, vec4(kNearest), lessThanEqual(depths, vec4(0.0)));
 #endif
-  return depth;
+  return min(min(depths.x, depths.y), min(depths.z, depths.w));
 }
-#else
-float fetchDepth(ivec2 texel) {
-  return texelFetch(source, min(texel, textureSize(source, int(reduceView.sourceLevel)) - 1), int(reduceView.sourceLevel)).r;
-}
-#endif
 
 float farthestOfFour(ivec2 texel) {
-#if defined(JAL_MINMAX) && !defined(JAL_FROM_DEPTH)
+  ivec2 child = 2 * texel;
+#if defined(JAL_FROM_DEPTH)
+  // Clamping to the edge repeats a pixel of the same four, which changes nothing.
+  ivec2 screen = ivec2(reduceView.screenWidth, reduceView.screenHeight);
+  if (any(greaterThanEqual(child, screen))) return kNearest;
+  return farthestOf(textureGather(source, vec2(child + 1) / vec2(screen)));
+#elif defined(JAL_MINMAX)
   // The corner that four texels share: the sampler's reduction takes the minimum of those with weight.
   vec2 size = vec2(textureSize(source, int(reduceView.sourceLevel)));
-  return textureLod(source, vec2(2 * texel + 1) / size, float(reduceView.sourceLevel)).r;
+  return textureLod(source, vec2(child + 1) / size, float(reduceView.sourceLevel)).r;
 #else
-  ivec2 child = 2 * texel;
-  return min(min(fetchDepth(child), fetchDepth(child + ivec2(1, 0))),
-             min(fetchDepth(child + ivec2(0, 1)), fetchDepth(child + ivec2(1, 1))));
+  int level = int(reduceView.sourceLevel);
+  ivec2 last = textureSize(source, level) - 1;
+  return farthestOf(vec4(texelFetch(source, min(child, last), level).r,
+                         texelFetch(source, min(child + ivec2(1, 0), last), level).r,
+                         texelFetch(source, min(child + ivec2(0, 1), last), level).r,
+                         texelFetch(source, min(child + 1, last), level).r));
 #endif
 }
 

@@ -23,14 +23,13 @@ gl::Buffer makeViews(const MapLayout& layout) {
   return views;
 }
 
-gl::Handle<gl::SamplerTraits> makeMinSampler() {
+gl::Handle<gl::SamplerTraits> makeSampler(GLint minFilter, GLint magFilter) {
   GLuint id = 0;
   glCreateSamplers(1, &id);
-  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, minFilter);
+  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, magFilter);
   glSamplerParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glSamplerParameteri(id, GL_TEXTURE_REDUCTION_MODE_ARB, GL_MIN);
   return gl::Handle<gl::SamplerTraits>(id);
 }
 
@@ -41,12 +40,15 @@ DepthPyramidPass::DepthPyramidPass(const MapLayout& layout, const gl::Capabiliti
       minMaxFilter_(capabilities.minMaxFilter),
       texture_(GL_TEXTURE_2D, GL_R32F,
                {layout.levelWidth(1), layout.levelHeight(1), 1, std::max(layout.levels - 1, 1U)}, "depth pyramid"),
+      edgeSampler_(makeSampler(GL_NEAREST, GL_NEAREST)),
       firstProgram_(programSource(ProgramId::kReduceDepthFirst)),
       firstCoveredProgram_(programSource(ProgramId::kReduceDepthFirstCovered)),
       reduceProgram_(programSource(minMaxFilter_ ? ProgramId::kReduceDepthMinMax : ProgramId::kReduceDepth)),
       views_(makeViews(layout)) {
   texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
-  if (minMaxFilter_) sampler_ = makeMinSampler();
+  if (!minMaxFilter_) return;
+  minSampler_ = makeSampler(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
+  glSamplerParameteri(minSampler_.id(), GL_TEXTURE_REDUCTION_MODE_ARB, GL_MIN);
 }
 
 void DepthPyramidPass::build(const gl::Texture& depth, DepthSource source) const {
@@ -55,7 +57,7 @@ void DepthPyramidPass::build(const gl::Texture& depth, DepthSource source) const
     const bool first = level == 1;
     (first ? source == DepthSource::kCovered ? firstCoveredProgram_ : firstProgram_ : reduceProgram_).use();
     (first ? depth : texture_).bind(gpu::kUnitDepth);
-    if (minMaxFilter_ && level == 2) glBindSampler(gpu::kUnitDepth, sampler_.id());
+    glBindSampler(gpu::kUnitDepth, first ? edgeSampler_.id() : minSampler_.id());  // 0: the texture's own
     texture_.bindImage(gpu::kImageTarget, level - 1, GL_WRITE_ONLY);
     views_.bindUniformRange(gpu::kBindingReduceView, kSliceBytes * level, sizeof(gpu::ReduceView));
     const auto groups = [](std::uint32_t texels) { return (texels + gpu::kTexelGroupSide - 1) / gpu::kTexelGroupSide; };

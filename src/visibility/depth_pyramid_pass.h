@@ -34,7 +34,8 @@ class DepthPyramidPass {
   MapLayout layout_;
   bool minMaxFilter_;
   gl::Texture texture_;
-  gl::Handle<gl::SamplerTraits> sampler_;  ///< reduces four texels to their minimum, with minMaxFilter_
+  gl::Handle<gl::SamplerTraits> edgeSampler_;  ///< whatever the depth texture's own wrapping is
+  gl::Handle<gl::SamplerTraits> minSampler_;   ///< reduces four texels to their minimum, with minMaxFilter_
   gl::Program firstProgram_;
   gl::Program firstCoveredProgram_;
   gl::Program reduceProgram_;
