@@ -1,6 +1,7 @@
 // A thousand frames and more: every kind of camera path, moving objects, six scenes, five screen sizes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -65,6 +66,43 @@ class CullingSlowGl : public test::GlTest {
     expectLossless(journey(name, asset::readSceneFile(std::filesystem::path(folder) / name / "scene.gltf"), 7));
   }
 };
+
+/// Boxes, spheres, cards and slivers of sizes over four decades, thrown together, some of them far from the origin.
+asset::SceneFile jumble(std::uint64_t seed) {
+  Random random(seed);
+  asset::SceneFile file = test::leafCards(0, 0, seed);
+  file.meshes.push_back({"box", {test::box(glm::vec3(1.0F))}});
+  file.chains.push_back({"box", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
+  const float far = std::pow(10.0F, random.uniform(0.0F, 5.0F));
+  const glm::vec3 origin(random.uniform(-far, far), random.uniform(-far, far), random.uniform(-far, far));
+  const std::uint32_t count = 20 + random.below(400);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto size = [&] { return std::pow(10.0F, random.uniform(-2.5F, random.below(20) == 0 ? 1.5F : 0.3F)); };
+    glm::vec3 scale = random.below(3) == 0 ? glm::vec3(size(), size(), size()) : glm::vec3(size());
+    if (random.below(5) == 0) scale.z = -scale.z;
+    const glm::vec3 place(random.uniform(-8, 8), random.uniform(-4, 4), random.uniform(-8, 8));
+    test::addInstance(file, random.below(3), origin + place, scale, random.uniform(0, 6),
+                      {random.uniform(-1, 1), 1, random.uniform(-1, 1)});
+  }
+  return file;
+}
+
+TEST_F(CullingSlowGl, TwoHundredJumbles) {
+  std::uint64_t culled = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::string name = "jumble " + std::to_string(seed);
+    const test::Journey j = journey(name, jumble(seed), seed % 3 == 0 ? 4 : 0);
+    Random random(seed);
+    const std::uint32_t width = 1 + random.below(500);
+    const std::uint32_t height = 1 + random.below(300);
+    const test::CullingLoss loss = test::countLoss(j, width, height, {}, 0, 4 * kFramesEach);
+    EXPECT_EQ(loss.wrongPixels, 0U) << name << " " << width << "x" << height;
+    EXPECT_EQ(loss.differentDepths, 0U) << name << " " << width << "x" << height;
+    culled += loss.culled;
+  }
+  std::printf("jumbles: %llu objects culled\n", static_cast<unsigned long long>(culled));
+  EXPECT_GT(culled, 10000U);
+}
 
 TEST_F(CullingSlowGl, GroundPlane) {
   expectLossless(journey("ground plane", test::groundPlane(800, 1), 0));
