@@ -12,6 +12,13 @@ uint tessellationLevel(float lv, uint levels) {
 /// The same mapping onto a chain: LOD 0 when open, the coarsest when covered.
 uint linearLod(float lv, uint lodCount) { return lodCount - tessellationLevel(lv, lodCount); }
 
+/// How much a hidden object's budget grows: 1 for an open one, 1 + relax for a hidden one.
+float relaxedBudget(float lv, float relax) {
+  float h = hiddenShare(lv);
+  float h2 = h * h;
+  return 1.0 + relax * h2 * h2;  // kRelaxPower
+}
+
 /// Pixels that an error of one object-space unit can cover (docs/lod_selection.md):
 /// scale * focalPixels / max(distance - radius, zNear).
 float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
@@ -30,4 +37,17 @@ uint pixelErrorLod(Chain chain, float pixelsPerUnit, float tau) {
 uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
   if (errorPixels <= tau) return 1u;
   return uint(clamp(ceil(sqrt(errorPixels / tau)), 1.0, float(maxLevel)));
+}
+
+/// Detail of an object under the view's rule.
+void chooseDetail(Chain chain, float pixelsPerUnit, float tau, inout ObjectState state) {
+  if (cullView.lodRule == kLodLinear) {
+    state.lod = linearLod(state.lv, chain.lodCount);
+    state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
+  } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
+    float budget = cullView.lodRule == kLodLvError ? tau * relaxedBudget(state.lv, cullView.relax) : tau;
+    state.lod = pixelErrorLod(chain, pixelsPerUnit, budget);
+    state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, budget,
+                                                cullView.maxTessellation);
+  }
 }

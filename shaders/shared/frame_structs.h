@@ -15,6 +15,16 @@ const uint kCullHiz = 4u;       // two phases against the depth of what was visi
 const uint kLodFinest = 0u;
 const uint kLodLinear = 1u;      // thesis 4.1.3: LV mapped linearly onto the levels
 const uint kLodPixelError = 2u;  // coarsest level whose error projects below tau
+const uint kLodLvError = 3u;     // the same, with tau relaxed by how hidden the object is
+
+// Measures of hiddenness h in [0, 1] (docs/level_of_visibility.md). An object's lv is 2 h - 1, except that the thesis'
+// own may lie below -1.
+const uint kLvNone = 0u;
+const uint kLvThesis = 1u;
+const uint kLvSpectral = 2u;
+const uint kLvChord = 3u;
+const uint kLvCoverage = 4u;
+const uint kLvCount = 5u;
 
 const uint kDetailDiscrete = 0u;
 const uint kDetailTessellation = 1u;
@@ -41,8 +51,8 @@ struct CullView {
   uint importanceLevels;   // levels of the importance mask; 0: no mask
   uint importanceWidth;    // texels of its finest level
   uint importanceHeight;
-  uint reserved0;
-  uint reserved1;
+  uint lvMeasure;          // kLv...
+  float relax;             // kLodLvError: tau grows to tau * (1 + relax) where nothing can be told apart
 };
 JAL_ASSERT_SIZE(CullView, 160)
 

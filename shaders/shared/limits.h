@@ -23,6 +23,10 @@ const uint kBlockLevels = 4u;
 const uint kMaxBlockSide = 16u;
 /// A block whose longer side is shorter than this has no meaningful spectrum: its mean alone counts.
 const uint kMinSpectrumSide = 4u;
+/// Open chord in pixels at which the chord measure halves (docs/level_of_visibility.md).
+const float kChordPixels = 16.0;
+/// The budget is relaxed by the fourth power of hiddenness: only what is nearly hidden pays.
+const uint kRelaxPower = 4u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).
 const uint kMaxDescent = 2u;
 

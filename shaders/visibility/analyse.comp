@@ -12,6 +12,7 @@
 #include "lib/buffers.glsl"
 #include "lib/overlap.glsl"
 #include "lib/dct.glsl"
+#include "lib/hiddenness.glsl"
 #include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
@@ -56,33 +57,41 @@ vec2 opacityRange(uvec4 pixels, uint level, float nearestDepth) {
   return range;
 }
 
-/// x: normalised LV of the block kBlockLevels below LOM, rows first, then columns: 2 NM + 4 M multiply-adds.
-/// y: the covered texels' sum, 0 if the whole block is open.
-vec2 analyseBlock(uvec4 pixels, vec4 rect, uint lom, float nearestDepth) {
-  uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
+/// The sums of the block kBlockLevels below LOM that the measure needs, rows first, then columns.
+BlockSums sumBlock(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
   uvec2 spanX = blockSpan(pixels.x, pixels.z, rect.x, rect.z, level);
   uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
-  bool spectrum = max(spanX.y, spanY.y) >= kMinSpectrumSide;
   uint cosinesX = 16u * (spanX.y - 1u);
   uint cosinesY = 16u * (spanY.y - 1u);
-  float dc = 0.0, u = 0.0, v = 0.0, uv = 0.0, covered = 0.0;
+  bool wantsChord = cullView.lvMeasure == kLvChord;
+  BlockSums sums;
+  sums.width = spanX.y;
+  sums.height = spanY.y;
+  sums.covered = sums.differences = 0.0;
+  vec3 low0 = vec3(0.0), low1 = vec3(0.0), low2 = vec3(0.0);
+  float above[kMaxBlockSide];
   for (uint j = 0u; j < spanY.y; ++j) {
-    float rowSum = 0.0, rowCosine = 0.0;
+    vec3 row = vec3(0.0);
+    float left = 0.0;
     for (uint i = 0u; i < spanX.y; ++i) {
       float value = opacity(uvec2(spanX.x + i, spanY.x + j), level, nearestDepth);
-      covered += value;
-      float f = value - 0.5;
-      rowSum += f;
-      rowCosine += f * cosines[cosinesX + i];
+      sums.covered += value;
+      if (wantsChord) {
+        sums.differences += (i > 0u ? abs(value - left) : 0.0) + (j > 0u ? abs(value - above[i]) : 0.0);
+        left = above[i] = value;
+        continue;
+      }
+      float c = cosines[cosinesX + i];
+      row += (value - 0.5) * vec3(1.0, c, 2.0 * c * c - 1.0);  // cos 2a from cos a
     }
     float c = cosines[cosinesY + j];
-    dc += rowSum;
-    u += rowCosine;
-    v += rowSum * c;
-    uv += rowCosine * c;
+    low0 += row;
+    low1 += row * c;
+    low2 += row * (2.0 * c * c - 1.0);
   }
-  if (!spectrum) u = v = uv = 0.0;
-  return vec2(levelOfVisibility(dc, u, v, uv, spanX.y, spanY.y), covered);
+  sums.low = float[3][3](float[3](low0.x, low0.y, low0.z), float[3](low1.x, low1.y, low1.z),
+                         float[3](low2.x, low2.y, low2.z));
+  return sums;
 }
 
 /// Lowest opacity over the rectangle at LOM and up to kMaxDescent levels below, and whether nothing at all covers it.
@@ -122,9 +131,10 @@ void main() {
   bool wantsBlock = !hidden && !open && cullView.analyse != 0u;
 #endif
   if (wantsBlock) {
-    vec2 block = analyseBlock(pixels, rect, lom, box.nearestDepth);
-    open = block.y <= 0.0;
-    if (!open) state.lv = block.x;
+    uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
+    BlockSums sums = sumBlock(pixels, rect, level, box.nearestDepth);
+    open = sums.covered <= 0.0;
+    if (!open) state.lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
   }
 
   uint mark = marks[id];
@@ -135,11 +145,8 @@ void main() {
   } else {
     mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
   }
-  if (!early && !hidden && cullView.lodRule == kLodLinear) {
-    Chain chain = chains[objects[id].chain];
-    state.lod = linearLod(state.lv, chain.lodCount);
-    state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
-  }
+  bool followsLv = cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError;
+  if (!early && !hidden && followsLv) chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, state);
   marks[id] = mark;
   states[id] = state;
 }

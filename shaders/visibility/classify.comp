@@ -74,13 +74,6 @@ void main() {
   // Two phases: what is drawn before the test has only last frame's level of visibility to go by.
   bool early = cullView.cullMode == kCullHiz && (lastMarks & kMarkVisible) != 0u && verdict == kVerdictPending;
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, early ? states[id].lv : -1.0);
-  if (cullView.lodRule == kLodLinear) {
-    state.lod = linearLod(state.lv, chain.lodCount);
-    state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
-  } else if (cullView.lodRule == kLodPixelError) {
-    state.lod = pixelErrorLod(chain, pixelsPerUnit, tau);
-    state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau,
-                                                cullView.maxTessellation);
-  }
+  chooseDetail(chain, pixelsPerUnit, tau, state);
   states[id] = state;
 }

@@ -96,7 +96,8 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.cullMode = options.cullMode;
   cullView_.lodRule = options.lodRule;
   cullView_.detail = options.detail;
-  cullView_.analyse = options.lodRule == gpu::kLodLinear || options.view == gpu::kViewLv ? 1 : 0;
+  cullView_.analyse =
+      options.lodRule == gpu::kLodLinear || options.lodRule == gpu::kLodLvError || options.view == gpu::kViewLv ? 1 : 0;
   cullView_.mapLevels = map_.layout().levels;
   cullView_.occluderDistance =
       options.occluderDistance ? *options.occluderDistance : automaticOccluderDistance(eye, scene_.boundsWorld);
@@ -107,6 +108,8 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.occluderTau =
       options.occluderTau.value_or(options.cullMode == gpu::kCullHomDepth ? kDefaultOccluderTau : 0.0F);
   cullView_.minPixels = options.minPixels;
+  cullView_.lvMeasure = options.lvMeasure;
+  cullView_.relax = options.relax;
   visibility_.setView(cullView_);
 
   drawView_.clipFromWorld = scene::clipFromWorld(drawCamera, aspect);

@@ -153,14 +153,7 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
       view.cullMode == gpu::kCullHiz && (lastMarks & gpu::kMarkVisible) != 0 && verdict == gpu::kVerdictPending;
   result.state = {verdict, 0, view.maxTessellation, early ? last.lv : -1.0F};
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  if (view.lodRule == gpu::kLodLinear) {
-    result.state.lod = linearLod(result.state.lv, chain.lodCount);
-    result.state.tessellation = tessellationLevel(result.state.lv, view.maxTessellation);
-  } else if (view.lodRule == gpu::kLodPixelError) {
-    result.state.lod = pixelErrorLod(lods, pixelsPerUnit, tau);
-    result.state.tessellation =
-        pixelErrorTessellation(scene.lods[chain.patchLod].errorObject * pixelsPerUnit, tau, view.maxTessellation);
-  }
+  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, result.state);
   return result;
 }
 

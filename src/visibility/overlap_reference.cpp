@@ -87,7 +87,8 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
   return block;
 }
 
-OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels) {
+OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels,
+                          gpu::uint lvMeasure) {
   const auto width = static_cast<float>(cover.layout().screenWidth);
   const auto height = static_cast<float>(cover.layout().screenHeight);
   gpu::ScreenBox box = given;
@@ -109,11 +110,12 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float
   if (range.highest <= 0.0F && !cover.depthAware()) return {gpu::kVerdictOpen, -1.0F};
   const AnalysedBlock block = analysedBlock(cover, box);
   if (*std::max_element(block.opacity.begin(), block.opacity.end()) <= 0.0F) return {gpu::kVerdictOpen, -1.0F};
-  return {gpu::kVerdictPartial, levelOfVisibilityOfOpacity({block.x.count, block.y.count, block.opacity})};
+  return {gpu::kVerdictPartial,
+          blockLv(lvMeasure, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
 }
 
-void applyOverlap(const OverlapResult& result, const gpu::CullView& view, const gpu::Chain& chain,
-                  gpu::ObjectState& state, gpu::uint& marks) {
+void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
+                  const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks) {
   const bool early = (marks & gpu::kMarkEarly) != 0;
   const bool hidden = result.verdict == gpu::kVerdictOccluded;
   state.lv = result.lv;
@@ -123,9 +125,10 @@ void applyOverlap(const OverlapResult& result, const gpu::CullView& view, const 
     return;
   }
   marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
-  if (early || view.lodRule != gpu::kLodLinear) return;
-  state.lod = linearLod(state.lv, chain.lodCount);
-  state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
+  const bool followsLv = view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError;
+  if (early || !followsLv) return;
+  chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
+               scene.lods[chain.patchLod].errorObject, box, state);
 }
 
 }  // namespace jalousie::visibility

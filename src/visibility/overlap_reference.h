@@ -5,9 +5,11 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "scene/scene_data.h"
 #include "shared/frame_structs.h"
 #include "shared/scene_structs.h"
 #include "visibility/depth_pyramid_reference.h"
+#include "visibility/hiddenness.h"
 #include "visibility/level_of_visibility.h"
 #include "visibility/occlusion_map_reference.h"
 
@@ -60,11 +62,12 @@ struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial
   float lv = -1.0F;                       ///< normalised
 };
-OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F);
+OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F,
+                          gpu::uint lvMeasure = gpu::kLvThesis);
 
-/// What the kernel makes of a pending object: verdict, lv, phase, and with kLodLinear the detail of what is drawn late.
-/// @pre state.verdict is kVerdictPending; view.analyse is 1
-void applyOverlap(const OverlapResult& result, const gpu::CullView& view, const gpu::Chain& chain,
-                  gpu::ObjectState& state, gpu::uint& marks);
+/// What the kernel makes of a pending object: verdict, lv, phase, and where the rule follows LV the detail of what is
+/// drawn late. @pre state.verdict is kVerdictPending; view.analyse is 1
+void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
+                  const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks);
 
 }  // namespace jalousie::visibility

@@ -71,9 +71,10 @@ TEST_F(FrameRendererGl, EveryOptionPermutationDrawsAPictureWithACleanLog) {
     FrameRenderer renderer(scene, kWidth, kHeight);
     const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
     for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
-      for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodPixelError; ++rule) {
+      for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodLvError; ++rule) {
         for (gpu::uint view = gpu::kViewShaded; view <= gpu::kViewPhase; ++view) {
-          const bool needsCover = rule == gpu::kLodLinear || view == gpu::kViewLv || view == gpu::kViewOcclusion;
+          const bool needsCover = rule == gpu::kLodLinear || rule == gpu::kLodLvError || view == gpu::kViewLv ||
+                                  view == gpu::kViewOcclusion;
           if (needsCover && mode < gpu::kCullHom) continue;
           if (view == gpu::kViewPhase && mode != gpu::kCullHiz) continue;
           FrameOptions options = homOptions();
