@@ -17,7 +17,8 @@ namespace jalousie::app {
 namespace {
 
 const std::vector<std::string> kModes = {"full", "frustum", "hom", "hom-depth", "hiz"};
-const std::vector<std::string> kLodRules = {"finest", "linear", "pixel-error"};
+const std::vector<std::string> kLodRules = {"finest", "linear", "pixel-error", "lv-error"};
+const std::vector<std::string> kMeasures = {"none", "thesis", "spectral", "chord", "coverage"};
 const std::vector<std::string> kViews = {"shaded", "lod", "lv", "occlusion", "phase"};
 const std::vector<std::string> kDetails = {"discrete", "tessellation"};
 
@@ -78,7 +79,8 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
       ->capture_default_str();
   command
       .add_option("--lod", options.lod,
-                  "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau")
+                  "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau, "
+                  "lv-error = the same, relaxed where the object is hidden")
       ->check(CLI::IsMember(kLodRules))
       ->capture_default_str();
   command
@@ -101,9 +103,20 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
           "Grey image stretched over the screen: white keeps --tau and --min-pixels, darker divides by its value, "
           "down to 1/16")
       ->type_name("MASK.png");
-  command.add_option("--lv", options.lv, "Measure of hiddenness")
-      ->check(CLI::IsMember({"thesis"}))
-      ->capture_default_str();
+  command
+      .add_option("--lv", options.lv,
+                  "Measure of hiddenness: thesis = level of visibility, spectral = how finely divided the opening is, "
+                  "chord = how short its mean chord, coverage = covered share alone, none [linear: thesis, else chord]")
+      ->check(CLI::IsMember(kMeasures));
+  command
+      .add_option_function<float>(
+          "--relax",
+          [&options](const float& relax) {
+            options.frameOptions.relax = relax;
+            options.relaxGiven = true;
+          },
+          "With --lod lv-error, tau grows up to 1 + RELAX times for what is nearly hidden [64]")
+      ->check(CLI::Range(0.0F, 1000.0F));
   command
       .add_option("--detail", options.detail,
                   "discrete = LOD chain, tessellation = Phong patches over the coarsest level")
@@ -183,7 +196,10 @@ void checkCamera(const RenderOptions& o) {
 void checkCombination(const RenderOptions& o) {
   const bool map = o.mode == "hom" || o.mode == "hom-depth";
   const bool twoPhases = o.mode == "hiz";
-  if (!map && !twoPhases && o.lod == "linear") refuse("--lod linear needs --mode hom, hom-depth or hiz");
+  const bool followsLv = o.lod == "linear" || o.lod == "lv-error";
+  if (!map && !twoPhases && followsLv) refuse("--lod linear and lv-error need --mode hom, hom-depth or hiz");
+  if (o.lod != "lv-error" && o.relaxGiven) refuse("--relax needs --lod lv-error");
+  if (!o.lv.empty() && !followsLv && o.view != "lv") refuse("--lv needs --lod linear, --lod lv-error or --view lv");
   if (!map && !twoPhases && (o.view == "occlusion" || o.view == "lv"))
     refuse("--view occlusion and lv need --mode hom, hom-depth or hiz");
   if (!twoPhases && o.view == "phase") refuse("--view phase needs --mode hiz");
@@ -191,7 +207,7 @@ void checkCombination(const RenderOptions& o) {
   if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
   if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
   if (!twoPhases && o.settleGiven) refuse("--settle needs --mode hiz");
-  if (o.lod != "pixel-error" && o.tauGiven) refuse("--tau needs --lod pixel-error");
+  if (o.lod != "pixel-error" && o.lod != "lv-error" && o.tauGiven) refuse("--tau needs --lod pixel-error or lv-error");
   if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
   if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
   if (o.detail != "tessellation" && o.frameOptions.maxTessellation != gpu::kMaxTessellationLevel)
@@ -207,6 +223,8 @@ void RenderOptions::finish() {
   checkCombination(*this);
   frameOptions.cullMode = indexOf(kModes, mode);
   frameOptions.lodRule = indexOf(kLodRules, lod);
+  if (lv.empty()) lv = lod == "linear" ? "thesis" : lod == "lv-error" || view == "lv" ? "chord" : "none";
+  frameOptions.lvMeasure = indexOf(kMeasures, lv);
   frameOptions.detail = indexOf(kDetails, detail);
   frameOptions.view = indexOf(kViews, view);
   frameOptions.skipDraw = statsOnly;

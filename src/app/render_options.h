@@ -30,7 +30,8 @@ struct RenderOptions {
   std::filesystem::path importance;  ///< mask image; empty: none
   std::string mode = "hiz";
   std::string lod = "pixel-error";
-  std::string lv = "thesis";
+  std::string lv;  ///< empty: thesis with --lod linear, chord where LV is used, else none
+  bool relaxGiven = false;
   std::string detail = "discrete";
   std::string view = "shaded";
   std::uint32_t repeat = 1;

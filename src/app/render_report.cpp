@@ -34,7 +34,8 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["mode"] = options.mode;
   json["lod"] = options.lod;
   json["lv"] = options.lv;
-  if (options.lod == "pixel-error") json["tau"] = options.frameOptions.tau;
+  if (options.lod == "pixel-error" || options.lod == "lv-error") json["tau"] = options.frameOptions.tau;
+  if (options.lod == "lv-error") json["relax"] = options.frameOptions.relax;
   json["detail"] = options.detail;
   if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
   json["objects"] = s.objects;

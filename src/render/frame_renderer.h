@@ -31,7 +31,7 @@ struct FrameOptions {
   gpu::uint view = gpu::kViewShaded;
   float tau = 1.0F;  ///< error that kLodPixelError allows, pixels
   gpu::uint lvMeasure = gpu::kLvThesis;
-  float relax = 16.0F;  ///< kLodLvError: tau grows to tau * (1 + relax) for what is nearly hidden
+  float relax = 64.0F;  ///< kLodLvError: tau grows to tau * (1 + relax) for what is nearly hidden
   /// Objects whose rectangle covers fewer pixels are not drawn; 0: all are.
   float minPixels = 0.0F;
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.

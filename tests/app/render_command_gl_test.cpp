@@ -122,6 +122,9 @@ TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
       {"--mode", "hiz", "--lod", "linear", "--view", "phase", "--settle", "0"},
       {"--mode", "hiz", "--tau", "3", "--min-pixels", "4", "--view", "occlusion", "--map-level", "2"},
       {"--mode", "hiz", "--draws", "per-object", "--core"},
+      {"--mode", "hiz", "--lod", "lv-error", "--relax", "8", "--view", "lv"},
+      {"--mode", "hom-depth", "--lod", "lv-error", "--lv", "spectral", "--tau", "2"},
+      {"--mode", "hom", "--lod", "linear", "--lv", "coverage"},
       {"--mode", "frustum", "--importance", "MASK"},
   };
   asset::savePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, file("mask.png"));
@@ -208,6 +211,10 @@ TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
       {"--mode", "full", "--min-pixels", "3"},
       {"--lod", "finest", "--tau", "3"},
       {"--tau", "-1"},
+      {"--relax", "3"},
+      {"--lv", "chord"},
+      {"--lod", "lv-error", "--mode", "frustum"},
+      {"--lod", "lv-error", "--relax", "-1"},
       {"--mode", "hom", "--settle", "1"},
       {"--capacity", "0"},
       {"--draws", "magic"},

@@ -80,5 +80,32 @@ TEST(PixelError, TessellationHalvesTheLevelForFourTimesTheTau) {
   EXPECT_EQ(pixelErrorTessellation(0.0F, 0.0F, 20), 1U);
 }
 
+TEST(LvError, BudgetGrowsWithTheFourthPowerOfHiddenness) {
+  EXPECT_FLOAT_EQ(relaxedBudget(-1.0F, 64.0F), 1.0F);
+  EXPECT_FLOAT_EQ(relaxedBudget(-1.8F, 64.0F), 1.0F) << "LV may lie below -1";
+  EXPECT_FLOAT_EQ(relaxedBudget(0.0F, 64.0F), 5.0F);
+  EXPECT_FLOAT_EQ(relaxedBudget(1.0F, 64.0F), 65.0F);
+  EXPECT_FLOAT_EQ(relaxedBudget(1.0F, 0.0F), 1.0F) << "without relaxing it is the projected error";
+}
+
+TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
+  const auto levels = levelsWithErrors({0.0F, 0.01F, 0.04F, 0.2F});
+  gpu::CullView view{};
+  view.lodRule = gpu::kLodLvError;
+  view.relax = 24.0F;
+  view.maxTessellation = 20;
+  gpu::ScreenBox box{};
+  box.pixelsPerUnit = 100.0F;
+  box.tau = 1.0F;
+  gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
+  chooseDetail(view, levels, 1.0F, box, open);
+  EXPECT_EQ(open.lod, 1U);
+  EXPECT_EQ(open.tessellation, 10U);
+  gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
+  chooseDetail(view, levels, 1.0F, box, hidden);
+  EXPECT_EQ(hidden.lod, 3U);
+  EXPECT_EQ(hidden.tessellation, 2U);
+}
+
 }  // namespace
 }  // namespace jalousie::visibility
