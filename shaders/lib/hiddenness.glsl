@@ -50,7 +50,7 @@ float blockLv(BlockSums s, uint measure, float texelPixels) {
   if (measure == kLvThesis) return thesisLv(s);
   float h = measure == kLvSpectral ? covered * spectralFineness(s)
             : measure == kLvChord  ? chordHiddenness(s, texelPixels)
-            : measure == kLvCoverage ? covered
+            : measure == kLvCoverage || measure == kLvPixels ? covered  // pixels: not counted yet
                                      : 0.0;
   return 2.0 * h - 1.0;
 }

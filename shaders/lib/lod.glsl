@@ -12,11 +12,21 @@ uint tessellationLevel(float lv, uint levels) {
 /// The same mapping onto a chain: LOD 0 when open, the coarsest when covered.
 uint linearLod(float lv, uint lodCount) { return lodCount - tessellationLevel(lv, lodCount); }
 
-/// How much a hidden object's budget grows: 1 for an open one, 1 + relax for a hidden one.
+/// How much a hidden object's budget grows: (visible share)^(-1/3), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax) {
-  float h = hiddenShare(lv);
-  float h2 = h * h;
-  return 1.0 + relax * h2 * h2;  // kRelaxPower
+  float share = max(1.0 - hiddenShare(lv), kLeastShare);
+  return min(pow(share, -1.0 / 3.0), 1.0 + relax);
+}
+
+/// LV of an object of which `visible` pixels showed, in a rectangle of `area` pixels.
+float pixelsLv(float visible, float area) {
+  return 1.0 - 2.0 * min((visible + kPixelGuard) / (kSilhouetteShare * area + kPixelGuard), 1.0);
+}
+
+/// LV on its way from the last frame's value to the one just measured.
+float smoothLv(float last, float measured) {
+  float start = clamp(last, -1.0, 1.0);
+  return start + (measured < start ? kSmoothAppearing : kSmoothHiding) * (clamp(measured, -1.0, 1.0) - start);
 }
 
 /// Pixels that an error of one object-space unit can cover (docs/lod_selection.md):
@@ -39,15 +49,52 @@ uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
   return uint(clamp(ceil(sqrt(errorPixels / tau)), 1.0, float(maxLevel)));
 }
 
-/// Detail of an object under the view's rule.
-void chooseDetail(Chain chain, float pixelsPerUnit, float tau, inout ObjectState state) {
+uint fadeFrames(uint mark) { return mark >> kMarkFadeShift; }
+
+/// The level that fades out.
+uint fadingLod(uint lod, uint mark) { return (mark & kMarkFromCoarser) != 0u ? lod + 1u : lod - 1u; }
+
+/// One step from the last level towards the range that it may keep.
+uint stepTowards(uint last, uint lowest, uint highest) {
+  return last < lowest ? last + 1u : last > highest ? last - 1u : last;
+}
+
+/// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade.
+void followBudget(Chain chain, float pixelsPerUnit, float budget, ObjectState last, inout ObjectState state,
+                  inout uint mark) {
+  float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
+  state.tessellation =
+      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * kHysteresis, cullView.maxTessellation),
+                  pixelErrorTessellation(patchPixels, budget / kHysteresis, cullView.maxTessellation));
+  state.lod = last.lod;
+  if (fadeFrames(mark) > 1u) {
+    mark -= 1u << kMarkFadeShift;
+    return;
+  }
+  mark &= ~kMarkFadeMask;
+  state.lod = stepTowards(last.lod, pixelErrorLod(chain, pixelsPerUnit, budget / kHysteresis),
+                          pixelErrorLod(chain, pixelsPerUnit, budget * kHysteresis));
+  if (state.lod != last.lod && cullView.detail == kDetailDiscrete)
+    mark |= (kFadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
+}
+
+/// Detail of an object under the view's rule. @param last  of the frame before, where mark says kMarkKnown
+void chooseDetail(Chain chain, float pixelsPerUnit, float tau, ObjectState last, inout ObjectState state,
+                  inout uint mark) {
+  bool known = (mark & kMarkKnown) != 0u;
   if (cullView.lodRule == kLodLinear) {
     state.lod = linearLod(state.lv, chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
   } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
     float budget = cullView.lodRule == kLodLvError ? tau * relaxedBudget(state.lv, cullView.relax) : tau;
-    state.lod = pixelErrorLod(chain, pixelsPerUnit, budget);
-    state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, budget,
-                                                cullView.maxTessellation);
+    if (cullView.calm != 0u && known) {
+      followBudget(chain, pixelsPerUnit, budget, last, state, mark);
+    } else {
+      state.lod = pixelErrorLod(chain, pixelsPerUnit, budget);
+      state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, budget,
+                                                  cullView.maxTessellation);
+    }
   }
+  bool same = cullView.detail == kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
+  if (known && !same) mark |= kMarkSwitched;
 }

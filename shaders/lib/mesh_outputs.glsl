@@ -16,7 +16,17 @@ vec3 viewTint(uint objectId) {
   return lodColor(state.verdict == kVerdictOccluder, coarseness);
 }
 
-void emitVertex(uint objectId, vec3 position, vec3 normal, vec2 uv, vec4 color, uint material) {
+/// Share of the pixels that a level in a cross-fade has: positive if it comes, negative if it goes; 0: no fade.
+float fadeShare(uint entry) {
+  if ((entry & (kInstanceFadingIn | kInstanceFadingOut)) == 0u) return 0.0;
+  uint frames = marks[entry & kInstanceObject] >> kMarkFadeShift;
+  float coming = float(kFadeFrames + 1u - frames) / float(kFadeFrames + 1u);
+  return (entry & kInstanceFadingIn) != 0u ? coming : coming - 1.0;
+}
+
+/// @param entry  of the instance list
+void emitVertex(uint entry, vec3 position, vec3 normal, vec2 uv, vec4 color, uint material) {
+  uint objectId = entry & kInstanceObject;
   Transform transform = transforms[objectId];
   fragment.positionWorld = transformPoint(transform, position);
 #ifdef JAL_OPACITY
@@ -33,7 +43,10 @@ void emitVertex(uint objectId, vec3 position, vec3 normal, vec2 uv, vec4 color, 
   fragment.material = material;
   fragment.mirrored = isMirrored(transform) ? 1u : 0u;
 #endif
-#ifdef JAL_ID
+#ifdef JAL_SHEET
+  fragment.fade = fadeShare(entry);
+#endif
+#if defined(JAL_ID) || defined(JAL_SHADED)
   fragment.objectId = objectId;
 #endif
   gl_Position = drawView.clipFromWorld * vec4(fragment.positionWorld, 1.0);

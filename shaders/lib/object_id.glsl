@@ -3,8 +3,8 @@
 
 #ifdef JAL_DRAW_PARAMETERS
 layout(std430, binding = kBindingDrawInstances) readonly buffer InstanceBlock { uint instances[]; };
-uint objectOfInstance() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
+uint instanceEntry() { return instances[gl_BaseInstanceARB + gl_InstanceID]; }
 #else
 layout(location = kAttributeObject) in uint objectAttribute;
-uint objectOfInstance() { return objectAttribute; }
+uint instanceEntry() { return objectAttribute; }
 #endif

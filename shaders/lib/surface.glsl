@@ -26,3 +26,9 @@ bool isHole(Material material, bool front, bool mirrored, float alpha, uvec2 pix
   if ((material.flags & kMaterialBlend) != 0u) return alpha < ditherThreshold(pixel);
   return false;
 }
+
+/// Whether a pixel belongs to the other level of a cross-fade. @param fade  the level's share, negative if it goes
+bool isFaded(float fade, uvec2 pixel) {
+  float threshold = ditherThreshold(pixel);
+  return fade > 0.0 ? threshold > fade : fade < 0.0 && threshold <= 1.0 + fade;
+}

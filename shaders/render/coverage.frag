@@ -21,7 +21,8 @@ void main() {
 #ifdef JAL_SHEET
   Material material = materials[fragment.material];
   float alpha = baseColor(material, fragment.color, fragment.uv).a;
-  if (isHole(material, gl_FrontFacing, fragment.mirrored != 0u, alpha, uvec2(gl_FragCoord.xy))) discard;
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  if (isHole(material, gl_FrontFacing, fragment.mirrored != 0u, alpha, pixel) || isFaded(fragment.fade, pixel)) discard;
 #endif
 #ifdef JAL_ID
   objectNumber = fragment.objectId + 1u;

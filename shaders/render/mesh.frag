@@ -1,5 +1,5 @@
 // Shades a fragment, or paints the debug view.
-// JAL_SHEET: double-sided, masked and blended surfaces and mirrored objects, whose facing and holes are decided here.
+// JAL_SHEET: double-sided, masked and blended surfaces, mirrored and fading objects: facing and holes are decided here.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
@@ -13,6 +13,7 @@ in Fragment {
 } fragment;
 
 layout(location = 0) out vec4 frameColor;
+layout(location = 1) out uint objectNumber;  // object index + 1; only where the frame has an item buffer
 
 void main() {
   Material material = materials[fragment.material];
@@ -20,11 +21,13 @@ void main() {
   vec3 normal = normalize(fragment.normalWorld);
 #ifdef JAL_SHEET
   bool mirrored = fragment.mirrored != 0u;
-  if (isHole(material, gl_FrontFacing, mirrored, base.a, uvec2(gl_FragCoord.xy))) discard;
+  uvec2 pixel = uvec2(gl_FragCoord.xy);
+  if (isHole(material, gl_FrontFacing, mirrored, base.a, pixel) || isFaded(fragment.fade, pixel)) discard;
   if (gl_FrontFacing == mirrored) normal = -normal;
 #endif
   vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
   vec3 color = drawView.view == kViewShaded ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)
                                             : shadeFlat(fragment.tint, normal, toEye);
   frameColor = vec4(color, 1.0);
+  objectNumber = fragment.objectId + 1u;
 }

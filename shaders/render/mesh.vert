@@ -19,4 +19,4 @@ layout(location = kAttributeColor) in vec4 color;
 layout(location = kAttributeMaterial) in uint material;
 #include "lib/object_id.glsl"
 
-void main() { emitVertex(objectOfInstance(), position, normal.xyz, uv, color, material); }
+void main() { emitVertex(instanceEntry(), position, normal.xyz, uv, color, material); }

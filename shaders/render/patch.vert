@@ -4,6 +4,7 @@
 #extension GL_ARB_shader_draw_parameters : require
 #endif
 #include "shared/limits.h"
+#include "shared/frame_structs.h"
 
 layout(location = kAttributePosition) in vec3 position;
 layout(location = kAttributeNormal) in vec4 normal;
@@ -27,6 +28,6 @@ void main() {
   corner.uv = uv;
   corner.color = color;
   corner.material = material;
-  corner.objectId = objectOfInstance();
+  corner.objectId = instanceEntry() & kInstanceObject;
   gl_Position = vec4(position, 1.0);
 }

@@ -24,7 +24,8 @@ const uint kLvThesis = 1u;
 const uint kLvSpectral = 2u;
 const uint kLvChord = 3u;
 const uint kLvCoverage = 4u;
-const uint kLvCount = 5u;
+const uint kLvPixels = 5u;  // counted, not estimated: what of its rectangle showed it in the last frame
+const uint kLvCount = 6u;
 
 const uint kDetailDiscrete = 0u;
 const uint kDetailTessellation = 1u;
@@ -52,9 +53,13 @@ struct CullView {
   uint importanceWidth;    // texels of its finest level
   uint importanceHeight;
   uint lvMeasure;          // kLv...
-  float relax;             // kLodLvError: tau grows to tau * (1 + relax) where nothing can be told apart
+  float relax;             // kLodLvError: tau grows to at most tau * (1 + relax)
+  uint calm;               // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
+  uint countsValid;        // 1: the pixels of the last frame were counted
+  uint reserved0;
+  uint reserved1;
 };
-JAL_ASSERT_SIZE(CullView, 160)
+JAL_ASSERT_SIZE(CullView, 176)
 
 /// One draw list; std140 uniform block, written once.
 struct ListView {
@@ -118,6 +123,16 @@ const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into 
 const uint kMarkLate = 4u;      // into the frame after the test
 const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
 const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible says something about it
+const uint kMarkKnown = 32u;    // was drawn in the last frame too: its level and count are there to go on from
+const uint kMarkSwitched = 64u; // drawn at another level than in the last frame
+const uint kMarkFromCoarser = 128u;  // the level that fades out is the next coarser one, else the next finer
+const uint kMarkFadeShift = 8u;      // above it, frames that the cross-fade still takes, this one included; 0: none
+const uint kMarkFadeMask = 0xff80u;  // kMarkFromCoarser and the frames
+
+// An entry of an instance list: an object, and whether it is the level that comes or the one that goes.
+const uint kInstanceFadingIn = 0x40000000u;
+const uint kInstanceFadingOut = 0x80000000u;
+const uint kInstanceObject = 0x3fffffffu;
 
 /// What the kernels decided for one object.
 struct ObjectState {

@@ -16,6 +16,9 @@ const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
 const uint kMaxScanBlocks = 1024u;
 /// Side of the square workgroup of the kernels that handle one texel per thread.
 const uint kTexelGroupSide = 8u;
+/// Pixels of the item buffer that one thread counts.
+const int kCountBlockWidth = 32;
+const int kCountBlockHeight = 2;
 
 /// The analysed block lies this many pyramid levels below the level at which the AABR is about one texel (thesis 3.5).
 const uint kBlockLevels = 4u;
@@ -25,8 +28,24 @@ const uint kMaxBlockSide = 16u;
 const uint kMinSpectrumSide = 4u;
 /// Open chord in pixels at which the chord measure halves (docs/level_of_visibility.md).
 const float kChordPixels = 16.0;
-/// The budget is relaxed by the fourth power of hiddenness: only what is nearly hidden pays.
-const uint kRelaxPower = 4u;
+/// The smallest visible share that a budget is relaxed for.
+const float kLeastShare = 1.0 / 1073741824.0;
+/// Share of its rectangle that an object in full sight is taken to fill.
+const float kSilhouetteShare = 0.5;
+/// Pixels added to the visible ones and to the expected ones before they are divided: one pixel more or less of a nearly
+/// hidden object must not change its level.
+const float kPixelGuard = 4.0;
+
+// Calm (docs/lod_selection.md).
+/// A level stays while its error is at most the budget times this, and the next coarser one's is above the budget
+/// divided by it.
+const float kHysteresis = 1.25;
+/// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
+/// and when it goes out of it.
+const float kSmoothAppearing = 0.5;
+const float kSmoothHiding = 0.125;
+/// Frames of a cross-fade.
+const uint kFadeFrames = 8u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).
 const uint kMaxDescent = 2u;
 
@@ -65,7 +84,9 @@ const uint kCounterLevels = 16u;     // [kMaxLods] drawn objects per LOD, or per
 const uint kCounterTriangles = 48u;  // [4] sums of bits 0-9, 10-19, 20-29, 30-31 of the drawn triangles per object
 const uint kCounterEarly = 52u;      // objects drawn in the first phase
 const uint kCounterLate = 53u;       // and in the second
-const uint kCounterCount = 54u;
+const uint kCounterSwitches = 54u;   // drawn at another level than in the last frame
+const uint kCounterFading = 55u;     // drawn at two levels
+const uint kCounterCount = 56u;
 
 // Shader storage bindings; core OpenGL promises eight, so kernels that never share a dispatch share numbers.
 const uint kBindingTransforms = 0u;
@@ -76,6 +97,7 @@ const uint kBindingStates = 4u;
 const uint kBindingBoxes = 5u;
 const uint kBindingMarks = 6u;
 const uint kBindingCosines = 7u;
+const uint kBindingPixelCounts = 7u;
 // Kernels that build the draw lists.
 const uint kBindingTiles = 0u;
 const uint kBindingBins = 0u;

@@ -121,23 +121,26 @@ void main() {
   uint lom = min(levelForExtent(max(rect.z - rect.x, rect.w - rect.y)), cullView.mapLevels - 1u);
   vec2 range = overlap(pixels, lom, box.nearestDepth);
 
-  ObjectState state = states[id];
+  ObjectState last = states[id];
+  ObjectState state = last;
+  uint mark = marks[id];
+  bool known = (mark & kMarkKnown) != 0u;
+  bool counted = cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u && known;
   bool hidden = range.x >= cullView.cullThreshold;
   bool open = !hidden && range.y <= 0.0;
-  state.lv = hidden ? 1.0 : -1.0;
-#ifdef JAL_DEPTH_AWARE
-  bool wantsBlock = !hidden && cullView.analyse != 0u;
-#else
-  bool wantsBlock = !hidden && !open && cullView.analyse != 0u;
+  float lv = hidden ? 1.0 : -1.0;
+  bool wantsBlock = !hidden && !counted && cullView.analyse != 0u;
+#ifndef JAL_DEPTH_AWARE
+  wantsBlock = wantsBlock && !open;
 #endif
   if (wantsBlock) {
     uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
     BlockSums sums = sumBlock(pixels, rect, level, box.nearestDepth);
     open = sums.covered <= 0.0;
-    if (!open) state.lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
+    if (!open) lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
   }
+  if (!counted) state.lv = known && cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
 
-  uint mark = marks[id];
   bool early = (mark & kMarkEarly) != 0u;
   state.verdict = hidden ? (early ? kVerdictStale : kVerdictOccluded) : open ? kVerdictOpen : kVerdictPartial;
   if (hidden) {
@@ -146,7 +149,8 @@ void main() {
     mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
   }
   bool followsLv = cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError;
-  if (!early && !hidden && followsLv) chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, state);
+  if (!early && !hidden && !counted && followsLv)
+    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, last, state, mark);
   marks[id] = mark;
   states[id] = state;
 }

@@ -1,5 +1,6 @@
 // First step of a draw list: how many instances of every bin each tile of objects holds, and each object's rank among
 // those of its tile (docs/two_phase_culling.md, "Ordered lists"). Atomics only count; the order is the objects' own.
+// A cross-faded object has a second instance, at the level that goes; a tile's second ones follow its first ones.
 //
 // One workgroup: one tile. Reads tiles, chains, lods, states, boxes, marks. Writes slots, entries.
 // Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp
@@ -18,8 +19,10 @@ layout(std430, binding = kBindingBoxes) readonly buffer BoxBlock { ScreenBox box
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
 
 shared uint binOfLane[kObjectGroupSize];
+shared uint fadingBinOfLane[kObjectGroupSize];
 shared uint countOfBin[kMaxBinsPerChain];
 shared uint members;
+shared uint fadingMembers;
 
 /// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
 bool drawsOcclusionMap() { return listView.phase == kMarkEarly && cullView.cullMode != kCullHiz; }
@@ -28,27 +31,50 @@ uint binOf(uint id, Chain chain) {
   uint mark = marks[id];
   if ((mark & listView.phase) == 0u) return kNoBin;
   uint level = states[id].lod;
-  if (cullView.detail == kDetailTessellation) {
-    level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
-  } else if (drawsOcclusionMap()) {
+  bool sheet = (mark & kMarkMirrored) != 0u;
+  if (drawsOcclusionMap() && cullView.detail == kDetailDiscrete) {
     level = pixelErrorLod(chain, boxes[id].pixelsPerUnit, cullView.occluderTau);
+  } else if (cullView.detail == kDetailTessellation) {
+    level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
+  } else {
+    sheet = sheet || fadeFrames(mark) > 0u;
   }
-  return 2u * level + ((mark & kMarkMirrored) != 0u ? 1u : 0u);
+  return 2u * level + (sheet ? 1u : 0u);
 }
+
+/// Bin of the level that fades out.
+uint fadingBinOf(uint id) {
+  uint mark = marks[id];
+  bool fades = fadeFrames(mark) > 0u && (mark & listView.phase) != 0u && !drawsOcclusionMap() &&
+               cullView.detail == kDetailDiscrete;
+  return fades ? 2u * fadingLod(states[id].lod, mark) + 1u : kNoBin;
+}
+
+uint slotOf(uint bin, uint rank) { return bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin; }
 
 void main() {
   Tile tile = tiles[gl_WorkGroupID.x];
   Chain chain = chains[tile.chain];
   uint lane = gl_LocalInvocationID.x;
   uint id = tile.firstObject + lane;
-  uint bin = lane < tile.objectCount ? binOf(id, chain) : kNoBin;
+  bool exists = lane < tile.objectCount;
+  uint bin = exists ? binOf(id, chain) : kNoBin;
+  uint fadingBin = exists ? fadingBinOf(id) : kNoBin;
   binOfLane[lane] = bin;
+  fadingBinOfLane[lane] = fadingBin;
   countOfBin[lane] = 0u;
-  if (lane == 0u) members = 0u;
+  if (lane == 0u) members = fadingMembers = 0u;
   barrier();
   if (bin != kNoBin) {
     atomicAdd(countOfBin[bin], 1u);
     atomicAdd(members, 1u);
+  }
+  barrier();
+  uint fadingRank = fadingBin != kNoBin ? countOfBin[fadingBin] : 0u;
+  barrier();
+  if (fadingBin != kNoBin) {
+    atomicAdd(countOfBin[fadingBin], 1u);
+    atomicAdd(fadingMembers, 1u);
   }
   barrier();
 
@@ -56,6 +82,12 @@ void main() {
   if (members > 0u) {  // most tiles of the second phase are empty
     for (uint other = 0u; other < lane; ++other) rank += binOfLane[other] == bin ? 1u : 0u;
   }
-  if (lane < tile.objectCount) slots[id] = bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin;
+  if (fadingMembers > 0u) {
+    for (uint other = 0u; other < lane; ++other) fadingRank += fadingBinOfLane[other] == fadingBin ? 1u : 0u;
+  }
+  if (exists) {
+    slots[2u * id] = slotOf(bin, rank);
+    slots[2u * id + 1u] = slotOf(fadingBin, fadingRank);
+  }
   if (lane < chain.binCount) entries[entryIndex(chain, lane, tile.tileOfChain)] = countOfBin[lane];
 }

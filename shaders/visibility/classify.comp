@@ -1,6 +1,7 @@
 // Frustum culling, size on screen, occluder selection, and the first choice of detail (thesis 3.2, 4.1.2).
 //
-// One thread: one object. Reads transforms, objects, chains, lods, and from the last frame marks and states (lv).
+// One thread: one object. Reads transforms, objects, chains, lods, and from the last frame marks, states and
+// pixelCounts.
 // Writes states, boxes, marks. Barrier owed: SHADER_STORAGE for analyse.comp and bin_objects.comp.
 // CPU twin: src/visibility/classify_reference.cpp
 #version 450 core
@@ -15,6 +16,8 @@
 #include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
+/// Pixels that showed each object in the last frame (kLvPixels).
+layout(std430, binding = kBindingPixelCounts) readonly buffer PixelCountBlock { uint pixelCounts[]; };
 
 bool selectsOccluders() { return cullView.cullMode == kCullHom || cullView.cullMode == kCullHomDepth; }
 
@@ -50,6 +53,24 @@ uint phasesOf(uint verdict, bool expectedVisible) {
   return verdict == kVerdictPending && selectsOccluders() ? 0u : kMarkLate | kMarkVisible;
 }
 
+vec4 wholeScreen() { return vec4(0.0, 0.0, cullView.viewportWidth, cullView.viewportHeight); }
+
+/// Whether the detail of what is tested follows from a block that only analyse.comp looks at.
+bool followsBlock() {
+  return (cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError) && cullView.lvMeasure != kLvPixels;
+}
+
+/// What is known of an object's visibility before this frame's test.
+float lvBeforeTest(uint id, bool known, bool measuredLater, vec4 rect, ObjectState last) {
+  if (!known) return -1.0;
+  if (cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u) {
+    vec2 size = rect.zw - rect.xy;
+    float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
+    return cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
+  }
+  return measuredLater && cullView.cullMode == kCullHiz ? last.lv : -1.0;
+}
+
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount) return;
@@ -68,12 +89,18 @@ void main() {
 
   uint verdict = classify(box, importance);
   uint lastMarks = marks[id];
-  uint phases = phasesOf(verdict, isExpectedVisible(lastMarks, rect));
-  marks[id] = phases | (isMirrored(transform) ? kMarkMirrored : 0u);
-
-  // Two phases: what is drawn before the test has only last frame's level of visibility to go by.
-  bool early = cullView.cullMode == kCullHiz && (lastMarks & kMarkVisible) != 0u && verdict == kVerdictPending;
-  ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, early ? states[id].lv : -1.0);
-  chooseDetail(chain, pixelsPerUnit, tau, state);
+  ObjectState last = states[id];
+  bool known = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
+  uint mark = phasesOf(verdict, isExpectedVisible(lastMarks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
+              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u);
+  bool measuredLater = verdict == kVerdictPending && cullView.cullMode >= kCullHom;
+  ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation,
+                                  lvBeforeTest(id, known, measuredLater, hasRect ? rect : wholeScreen(), last));
+  if (measuredLater && known && selectsOccluders() && followsBlock()) {
+    state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
+  } else {
+    chooseDetail(chain, pixelsPerUnit, tau, last, state, mark);
+  }
+  marks[id] = mark;
   states[id] = state;
 }

@@ -17,6 +17,8 @@ layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectStat
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
 layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]; };
 
+#include "lib/lod.glsl"
+
 shared uint groupCounters[kObjectGroupSize];
 
 /// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
@@ -35,6 +37,11 @@ void countObject(uint id) {
   bool patches = cullView.detail == kDetailTessellation;
   uint triangles = patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
                            : lods[chain.firstLod + state.lod].triangleCount;
+  if ((mark & kMarkSwitched) != 0u) atomicAdd(groupCounters[kCounterSwitches], 1u);
+  if (fadeFrames(mark) > 0u && !patches) {
+    atomicAdd(groupCounters[kCounterFading], 1u);
+    triangles += lods[chain.firstLod + fadingLod(state.lod, mark)].triangleCount;
+  }
   atomicAdd(groupCounters[kCounterLevels + (patches ? state.tessellation - 1u : state.lod)], 1u);
   for (uint limb = 0u; limb < 4u; ++limb)
     atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);

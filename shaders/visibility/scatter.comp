@@ -1,4 +1,4 @@
-// Puts every object of a phase at its place in the instance list.
+// Puts every object of a phase at its place in the instance list, and what fades out at its own.
 //
 // JAL_PER_OBJECT: the reference path writes one command per instance as well, in the same order.
 // One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances (and commands).
@@ -18,21 +18,27 @@ layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]
 layout(std430, binding = kBindingSlots) readonly buffer SlotBlock { uint slots[]; };
 layout(std430, binding = kBindingInstances) writeonly buffer InstanceBlock { uint instances[]; };
 
+/// @param slot  where in its tile, and in which bin   @param entry  of the instance list
+void place(Tile tile, uint slot, uint entry) {
+  if (slot == kNoBin) return;
+  uint bin = slot & ((1u << kSlotBinBits) - 1u);
+  Chain chain = chains[tile.chain];
+  uint index = offsetOf(entryIndex(chain, bin, tile.tileOfChain)) + (slot >> kSlotBinBits);
+  if (index >= listView.capacity) return;  // counted by write_commands.comp
+  instances[index] = entry;
+#ifdef JAL_PER_OBJECT
+  Ranges ranges = rangesOf(chain, bin, cullView.detail);
+  for (uint k = 0u; k < kListsPerDetail; ++k)
+    commands[(ranges.firstList + k) * listView.commandCapacity + index] = DrawCommand(
+        ranges.count[k], ranges.count[k] > 0u ? 1u : 0u, ranges.firstIndex[k], ranges.baseVertex, index);
+#endif
+}
+
 void main() {
   Tile tile = tiles[gl_WorkGroupID.x];
   if (gl_LocalInvocationID.x >= tile.objectCount) return;
   uint id = tile.firstObject + gl_LocalInvocationID.x;
-  uint slot = slots[id];
-  if (slot == kNoBin) return;
-  uint bin = slot & ((1u << kSlotBinBits) - 1u);
-  Chain chain = chains[tile.chain];
-  uint place = offsetOf(entryIndex(chain, bin, tile.tileOfChain)) + (slot >> kSlotBinBits);
-  if (place >= listView.capacity) return;  // counted by write_commands.comp
-  instances[place] = id;
-#ifdef JAL_PER_OBJECT
-  Ranges ranges = rangesOf(chain, bin, cullView.detail);
-  for (uint k = 0u; k < kListsPerDetail; ++k)
-    commands[(ranges.firstList + k) * listView.commandCapacity + place] = DrawCommand(
-        ranges.count[k], ranges.count[k] > 0u ? 1u : 0u, ranges.firstIndex[k], ranges.baseVertex, place);
-#endif
+  uint fading = slots[2u * id + 1u];
+  place(tile, slots[2u * id], fading == kNoBin ? id : id | kInstanceFadingIn);
+  place(tile, fading, id | kInstanceFadingOut);
 }

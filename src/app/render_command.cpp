@@ -48,9 +48,10 @@ double median(std::vector<double> values) {
 }
 
 /// Frames before the measured ones: until the visible set of two phases has settled (the first frame knows nothing, the
-/// second draws all that the first one let through), and one more to warm caches up if times are wanted.
+/// second draws all that the first one let through) and their pixels are counted, and one more to warm caches up if
+/// times are wanted.
 std::uint32_t warmUpFrames(const RenderOptions& options) {
-  return (options.mode == "hiz" ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
+  return (options.mode == "hiz" || options.lv == "pixels" ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
 }
 
 /// Renders options.repeat frames after the warm-up and takes medians per pass.

@@ -18,7 +18,7 @@ namespace {
 
 const std::vector<std::string> kModes = {"full", "frustum", "hom", "hom-depth", "hiz"};
 const std::vector<std::string> kLodRules = {"finest", "linear", "pixel-error", "lv-error"};
-const std::vector<std::string> kMeasures = {"none", "thesis", "spectral", "chord", "coverage"};
+const std::vector<std::string> kMeasures = {"none", "thesis", "spectral", "chord", "coverage", "pixels"};
 const std::vector<std::string> kViews = {"shaded", "lod", "lv", "occlusion", "phase"};
 const std::vector<std::string> kDetails = {"discrete", "tessellation"};
 
@@ -90,7 +90,7 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
             options.frameOptions.tau = tau;
             options.tauGiven = true;
           },
-          "Error that --lod pixel-error allows, pixels [1]")
+          "Error that --lod pixel-error and lv-error allow, pixels [1]")
       ->check(CLI::Range(0.0F, 1000.0F));
   command
       .add_option("--min-pixels", options.frameOptions.minPixels,
@@ -104,9 +104,11 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
           "down to 1/16")
       ->type_name("MASK.png");
   command
-      .add_option("--lv", options.lv,
-                  "Measure of hiddenness: thesis = level of visibility, spectral = how finely divided the opening is, "
-                  "chord = how short its mean chord, coverage = covered share alone, none [linear: thesis, else chord]")
+      .add_option(
+          "--lv", options.lv,
+          "Measure of hiddenness: thesis = level of visibility, spectral = how finely divided the opening is, "
+          "chord = how short its mean chord, coverage = covered share alone, pixels = counted in the last frame, "
+          "none [linear: thesis, lv-error and --view lv: pixels]")
       ->check(CLI::IsMember(kMeasures));
   command
       .add_option_function<float>(
@@ -115,8 +117,12 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
             options.frameOptions.relax = relax;
             options.relaxGiven = true;
           },
-          "With --lod lv-error, tau grows up to 1 + RELAX times for what is nearly hidden [64]")
+          "With --lod lv-error, tau grows with (visible share)^(-1/3), up to 1 + RELAX times [64]")
       ->check(CLI::Range(0.0F, 1000.0F));
+  command.add_flag(
+      "--calm", options.frameOptions.calm,
+      "Levels keep within a margin of the budget, change one at a time and are cross-faded, as in a moving "
+      "picture; without it they follow from the view alone");
   command
       .add_option("--detail", options.detail,
                   "discrete = LOD chain, tessellation = Phong patches over the coarsest level")
@@ -172,7 +178,9 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
             options.settle = frames;
             options.settleGiven = true;
           },
-          "With --mode hiz, frames from the same camera before the picture; 0 shows the first frame after a cut [2]")
+          "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame "
+          "after "
+          "a cut [2]")
       ->check(CLI::Range(0U, 1000U));
   command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
   command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
@@ -197,16 +205,20 @@ void checkCombination(const RenderOptions& o) {
   const bool map = o.mode == "hom" || o.mode == "hom-depth";
   const bool twoPhases = o.mode == "hiz";
   const bool followsLv = o.lod == "linear" || o.lod == "lv-error";
-  if (!map && !twoPhases && followsLv) refuse("--lod linear and lv-error need --mode hom, hom-depth or hiz");
+  const bool counts = o.lv == "pixels";
+  const bool usesLv = followsLv || o.view == "lv";
+  if (!map && !twoPhases && usesLv && !counts)
+    refuse("--lod linear, lv-error and --view lv need --mode hom, hom-depth or hiz, or --lv pixels");
   if (o.lod != "lv-error" && o.relaxGiven) refuse("--relax needs --lod lv-error");
-  if (!o.lv.empty() && !followsLv && o.view != "lv") refuse("--lv needs --lod linear, --lod lv-error or --view lv");
-  if (!map && !twoPhases && (o.view == "occlusion" || o.view == "lv"))
-    refuse("--view occlusion and lv need --mode hom, hom-depth or hiz");
+  if (o.lv != "none" && !usesLv) refuse("--lv needs --lod linear, --lod lv-error or --view lv");
+  if (!map && !twoPhases && o.view == "occlusion") refuse("--view occlusion needs --mode hom, hom-depth or hiz");
   if (!twoPhases && o.view == "phase") refuse("--view phase needs --mode hiz");
   if (!map && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom or hom-depth");
   if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
   if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
-  if (!twoPhases && o.settleGiven) refuse("--settle needs --mode hiz");
+  if (!twoPhases && !(usesLv && counts) && o.settleGiven) refuse("--settle needs --mode hiz or --lv pixels");
+  if (o.frameOptions.calm && o.lod != "pixel-error" && o.lod != "lv-error")
+    refuse("--calm needs --lod pixel-error or lv-error");
   if (o.lod != "pixel-error" && o.lod != "lv-error" && o.tauGiven) refuse("--tau needs --lod pixel-error or lv-error");
   if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
   if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
@@ -219,11 +231,11 @@ void checkCombination(const RenderOptions& o) {
 }  // namespace
 
 void RenderOptions::finish() {
+  if (lv.empty()) lv = lod == "linear" ? "thesis" : lod == "lv-error" || view == "lv" ? "pixels" : "none";
   checkCamera(*this);
   checkCombination(*this);
   frameOptions.cullMode = indexOf(kModes, mode);
   frameOptions.lodRule = indexOf(kLodRules, lod);
-  if (lv.empty()) lv = lod == "linear" ? "thesis" : lod == "lv-error" || view == "lv" ? "chord" : "none";
   frameOptions.lvMeasure = indexOf(kMeasures, lv);
   frameOptions.detail = indexOf(kDetails, detail);
   frameOptions.view = indexOf(kViews, view);

@@ -30,7 +30,7 @@ struct RenderOptions {
   std::filesystem::path importance;  ///< mask image; empty: none
   std::string mode = "hiz";
   std::string lod = "pixel-error";
-  std::string lv;  ///< empty: thesis with --lod linear, chord where LV is used, else none
+  std::string lv;  ///< finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
   bool relaxGiven = false;
   std::string detail = "discrete";
   std::string view = "shaded";

@@ -46,6 +46,8 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["drawn"] = s.drawn;
   json["drawn_early"] = s.drawnEarly;
   json["drawn_stale"] = s.drawnStale;
+  json["switches"] = s.switches;
+  json["fading"] = s.fading;
   json["dropped"] = s.dropped;
   json["triangles"] = s.triangles;
   json["triangles_full"] = s.trianglesFull;

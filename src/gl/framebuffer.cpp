@@ -9,13 +9,18 @@
 
 namespace jalousie::gl {
 
-Framebuffer::Framebuffer(const Texture& color, const Texture* depth, const char* name) {
+Framebuffer::Framebuffer(const Texture& color, const Texture* depth, const char* name, const Texture* second) {
   GLuint id = 0;
   glCreateFramebuffers(1, &id);
   handle_ = Handle<FramebufferTraits>(id);
   label(GL_FRAMEBUFFER, id, name);
   glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, color.id(), 0);
   if (depth != nullptr) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+  if (second != nullptr) {
+    glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT1, second->id(), 0);
+    constexpr GLenum kBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glNamedFramebufferDrawBuffers(id, 2, kBuffers);
+  }
   const GLenum status = glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
     throw Error(ErrorCode::kNoGpu, fmt::format("framebuffer '{}' is incomplete (0x{:04x})", name, status));

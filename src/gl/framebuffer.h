@@ -15,7 +15,8 @@ class Framebuffer {
   Framebuffer() = default;
   /// glCreateFramebuffers, glNamedFramebufferTexture (level 0). @param depth  may be null
   /// Errors: kNoGpu if the driver calls the combination incomplete.
-  Framebuffer(const Texture& color, const Texture* depth, const char* name);
+  /// @param second  a second colour attachment, or null
+  Framebuffer(const Texture& color, const Texture* depth, const char* name, const Texture* second = nullptr);
 
   GLuint id() const { return handle_.id(); }
   /// glBindFramebuffer and glViewport.

@@ -16,7 +16,8 @@ namespace {
 constexpr float kOccluderDepth = 0.12F;
 
 constexpr std::array<float, 4> kBackground = {0.235F, 0.29F, 0.36F, 1.0F};  // linear RGB
-constexpr float kFarDepth = 0.0F;                                           // reversed depth
+constexpr std::array<GLuint, 4> kNoObject = {};
+constexpr float kFarDepth = 0.0F;  // reversed depth
 
 bool usesMap(gpu::uint cullMode) {
   return cullMode == gpu::kCullHom || cullMode == gpu::kCullHomDepth;
@@ -29,7 +30,8 @@ gl::Capabilities capabilitiesFor(const RendererOptions& options) {
 
 visibility::DrawListOptions listOptions(const scene::SceneData& scene, const RendererOptions& options) {
   const auto objects = static_cast<std::uint32_t>(scene.objects.size());
-  return {options.submission, std::min(options.capacity.value_or(objects), objects), scene.maxPatchTriangles > 0};
+  const std::uint32_t most = 2 * objects;  // what is cross-faded is on the list twice
+  return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
 }
 
 }  // namespace
@@ -55,13 +57,16 @@ FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width,
       target_(color_, &depth_, "frame"),
       viewTarget_(color_, nullptr, "view"),
       idTarget_(id_, &depth_, "object numbers"),
+      countedTarget_(color_, &depth_, "frame and item buffer", &id_),
       map_(visibility::mapLayout(width, height), &depth_),
       pyramid_(visibility::mapLayout(width, height), capabilities_),
       visibility_(buffers_.objectCount(), options.importance),
       lists_(scene),
       early_(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late_(scene, gpu::kMarkLate, listOptions(scene, options)),
-      draw_(capabilities_) {}
+      draw_(capabilities_) {
+  id_.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);  // integers are not filtered
+}
 
 void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cullCamera,
                            const scene::Camera& drawCamera) noexcept {
@@ -78,7 +83,7 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   }
   if (twoPhases || usesMap(options.cullMode)) findOccluded(options);
   buildList(late_, "late list");
-  if (!options.skipDraw) drawFrame(options);
+  if (!options.skipDraw || counting_) drawFrame(options);
   const gl::PassTimer::Scope pass(timer_, "count");
   statistics_.endFrame(buffers_.bindings(), visibility_, cullView_,
                        twoPhases || usesMap(options.cullMode) ? &early_ : nullptr, late_);
@@ -110,6 +115,8 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.minPixels = options.minPixels;
   cullView_.lvMeasure = options.lvMeasure;
   cullView_.relax = options.relax;
+  cullView_.calm = options.calm ? 1 : 0;
+  counting_ = cullView_.analyse != 0 && options.lvMeasure == gpu::kLvPixels;
   visibility_.setView(cullView_);
 
   drawView_.clipFromWorld = scene::clipFromWorld(drawCamera, aspect);
@@ -162,48 +169,70 @@ void FrameRenderer::drawOccluders() {
   glDisable(GL_DEPTH_TEST);
 }
 
-void FrameRenderer::beginTarget() {
-  target_.bind(width_, height_);
-  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, kBackground.data());
-  glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &kFarDepth);
+void FrameRenderer::beginTarget(const gl::Framebuffer& target) {
+  target.bind(width_, height_);
+  glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, kBackground.data());
+  if (target.id() == countedTarget_.id()) glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, kNoObject.data());
+  glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &kFarDepth);
 }
 
-void FrameRenderer::drawEarly() {
-  const gl::PassTimer::Scope pass(timer_, "early draw");
+void FrameRenderer::setCullingCamera() {
   gpu::DrawView view = drawView_;
   view.clipFromWorld = cullView_.clipFromWorld;
   view.cameraWorld = cullView_.cameraWorld;
   draw_.setView(view);
+}
+
+void FrameRenderer::drawEarly() {
+  const gl::PassTimer::Scope pass(timer_, "early draw");
+  setCullingCamera();
   glEnable(GL_FRAMEBUFFER_SRGB);  // before the clear: it converts the background too
-  beginTarget();
+  beginTarget(counting_ ? countedTarget_ : target_);
   glEnable(GL_DEPTH_TEST);
   draw_.draw(DrawKind::kShaded, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
+void FrameRenderer::drawObjects(const gl::Framebuffer& target, bool earlyIsThere) {
+  const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
+  const auto draw = [&](DrawPart part, const visibility::DrawList& list) {
+    draw_.draw(DrawKind::kShaded, part, cullView_.detail, buffers_, list, visibility_);
+  };
+  target.bind(width_, height_);
+  if (!earlyIsThere) beginTarget(target);
+  glEnable(GL_DEPTH_TEST);
+  if (twoPhases && !earlyIsThere) draw(DrawPart::kOpaque, early_);
+  draw(DrawPart::kOpaque, late_);
+  if (twoPhases) draw(DrawPart::kBlended, early_);
+  draw(DrawPart::kBlended, late_);
+  glDisable(GL_DEPTH_TEST);
+}
+
 void FrameRenderer::drawFrame(const FrameOptions& options) {
-  const bool twoPhases = options.cullMode == gpu::kCullHiz;
-  const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
-  draw_.setView(drawView_);
-  target_.bind(width_, height_);
+  const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
+  const bool frozen = cullView_.clipFromWorld != drawView_.clipFromWorld;
+  const bool showsCover = options.view == gpu::kViewOcclusion;
   glEnable(GL_FRAMEBUFFER_SRGB);
-  if (options.view == gpu::kViewOcclusion) {
+  if (counting_) {
+    // Pixels count as the culling camera sees them.
+    {
+      const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
+      setCullingCamera();
+      drawObjects(countedTarget_, twoPhases);
+    }
+    const gl::PassTimer::Scope pass(timer_, "count pixels");
+    visibility_.countPixels(id_);
+  }
+  if (showsCover) {
+    const gl::PassTimer::Scope pass(timer_, "view");
+    draw_.setView(drawView_);
     viewTarget_.bind(width_, height_);
     twoPhases ? draw_.drawPyramid(pyramid_, depth_) : draw_.drawMap(map_);
-  } else {
-    // The early draw is already there, unless it was made from another camera than the picture.
-    const bool frozen = cullView_.clipFromWorld != drawView_.clipFromWorld;
-    if (!twoPhases || frozen) beginTarget();
-    glEnable(GL_DEPTH_TEST);
-    const auto draw = [&](DrawPart part, const visibility::DrawList& list) {
-      draw_.draw(DrawKind::kShaded, part, options.detail, buffers_, list, visibility_);
-    };
-    if (twoPhases && frozen) draw(DrawPart::kOpaque, early_);
-    draw(DrawPart::kOpaque, late_);
-    if (twoPhases) draw(DrawPart::kBlended, early_);
-    draw(DrawPart::kBlended, late_);
-    glDisable(GL_DEPTH_TEST);
+  } else if (!counting_ || frozen) {
+    const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
+    draw_.setView(drawView_);
+    drawObjects(target_, twoPhases && !frozen);
   }
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
@@ -212,8 +241,7 @@ void FrameRenderer::renderIds() noexcept {
   const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
   draw_.setView(drawView_);
   idTarget_.bind(width_, height_);
-  const std::array<GLuint, 4> nothing = {};
-  glClearNamedFramebufferuiv(idTarget_.id(), GL_COLOR, 0, nothing.data());
+  glClearNamedFramebufferuiv(idTarget_.id(), GL_COLOR, 0, kNoObject.data());
   glClearNamedFramebufferfv(idTarget_.id(), GL_DEPTH, 0, &kFarDepth);
   glEnable(GL_DEPTH_TEST);
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {

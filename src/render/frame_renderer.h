@@ -31,7 +31,10 @@ struct FrameOptions {
   gpu::uint view = gpu::kViewShaded;
   float tau = 1.0F;  ///< error that kLodPixelError allows, pixels
   gpu::uint lvMeasure = gpu::kLvThesis;
-  float relax = 64.0F;  ///< kLodLvError: tau grows to tau * (1 + relax) for what is nearly hidden
+  float relax = 64.0F;  ///< kLodLvError: tau grows to at most tau * (1 + relax)
+  /// For what moves: levels keep within a margin of the budget, change one at a time and are cross-faded, and LV is
+  /// smoothed. Off, levels follow from the frame (and with kLvPixels from the last one's pixels) alone: for captures.
+  bool calm = false;
   /// Objects whose rectangle covers fewer pixels are not drawn; 0: all are.
   float minPixels = 0.0F;
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
@@ -109,7 +112,9 @@ class FrameRenderer {
   void drawOccluders();
   void drawEarly();
   void drawFrame(const FrameOptions& options);
-  void beginTarget();
+  void setCullingCamera();
+  void beginTarget(const gl::Framebuffer& target);
+  void drawObjects(const gl::Framebuffer& target, bool earlyIsThere);
   std::optional<FrameStatistics> statisticsOf(const std::optional<visibility::FrameRecord>& record) const;
 
   const scene::SceneData& scene_;
@@ -125,6 +130,7 @@ class FrameRenderer {
   gl::Framebuffer target_;
   gl::Framebuffer viewTarget_;  ///< the colour alone: what the depth view draws into while it reads the depth
   gl::Framebuffer idTarget_;
+  gl::Framebuffer countedTarget_;  ///< the frame, and its object numbers beside it
   visibility::OcclusionMapPass map_;
   visibility::DepthPyramidPass pyramid_;
   visibility::VisibilityPass visibility_;
@@ -136,6 +142,7 @@ class FrameRenderer {
   gl::PassTimer timer_;
   gpu::CullView cullView_{};
   gpu::DrawView drawView_{};
+  bool counting_ = false;  ///< this frame's pixels are counted for the next one's LV
 };
 
 }  // namespace jalousie::render

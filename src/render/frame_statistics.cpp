@@ -32,6 +32,8 @@ FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const 
   result.drawnStale = verdicts(gpu::kVerdictStale);
   result.drawnEarly = counters[gpu::kCounterEarly];
   result.drawn = result.drawnEarly + counters[gpu::kCounterLate];
+  result.switches = counters[gpu::kCounterSwitches];
+  result.fading = counters[gpu::kCounterFading];
   result.dropped = dropped;
   result.triangles = visibility::triangleSum(counters);
   result.trianglesFull = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;

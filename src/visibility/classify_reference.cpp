@@ -41,6 +41,21 @@ bool selectsOccluders(gpu::uint cullMode) {
   return cullMode == gpu::kCullHom || cullMode == gpu::kCullHomDepth;
 }
 
+/// Whether the detail of what is tested follows from a block that is only looked at then.
+bool followsBlock(const gpu::CullView& view) {
+  return (view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError) && view.lvMeasure != gpu::kLvPixels;
+}
+
+float lvBeforeTest(const gpu::CullView& view, bool known, bool measuredLater, const glm::vec4& rect,
+                   const LastFrame& last) {
+  if (!known) return -1.0F;
+  if (view.lvMeasure == gpu::kLvPixels && view.countsValid != 0) {
+    const float lv = pixelsLv(static_cast<float>(last.pixels), (rect.z - rect.x) * (rect.w - rect.y));
+    return view.calm != 0 ? smoothLv(last.state.lv, lv) : lv;
+  }
+  return measuredLater && view.cullMode == gpu::kCullHiz ? last.state.lv : -1.0F;
+}
+
 Aabb boundsOf(const gpu::Chain& chain) {
   return {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)};
 }
@@ -130,7 +145,7 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint cullMode) 
 }
 
 Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
-                          const gpu::ObjectState& last, gpu::uint lastMarks, const ImportanceMask* importance) {
+                          const LastFrame& last, const ImportanceMask* importance) {
   const gpu::Transform& transform = scene.transforms[objectIndex];
   const gpu::Chain& chain = scene.chains[scene.objects[objectIndex].chain];
   const BoxOnScreen box =
@@ -147,13 +162,19 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   Classified result;
   result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0F};
   const gpu::uint verdict = classify(box, view, weight);
-  result.marks = phasesOf(verdict, isExpectedVisible(lastMarks, rect, view), view.cullMode) |
-                 (isMirrored(transform) ? gpu::kMarkMirrored : 0);
-  const bool early =
-      view.cullMode == gpu::kCullHiz && (lastMarks & gpu::kMarkVisible) != 0 && verdict == gpu::kVerdictPending;
-  result.state = {verdict, 0, view.maxTessellation, early ? last.lv : -1.0F};
+  const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
+  result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.cullMode) |
+                 (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
+                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0);
+  const bool measuredLater = verdict == gpu::kVerdictPending && view.cullMode >= gpu::kCullHom;
+  const glm::vec4 seen = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
+  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, measuredLater, seen, last)};
+  if (measuredLater && known && selectsOccluders(view.cullMode) && followsBlock(view)) {
+    result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
+    return result;
+  }
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, result.state);
+  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, last.state, result.state, result.marks);
   return result;
 }
 

@@ -54,10 +54,15 @@ struct Classified {
   gpu::uint marks = 0;
 };
 
-/// @param last       state of the last frame; only its lv is used   @param lastMarks  marks of the last frame
-/// @param importance null: no mask
+/// What is left of one object from the last frame.
+struct LastFrame {
+  gpu::ObjectState state{};
+  gpu::uint marks = 0;
+  gpu::uint pixels = 0;  ///< that showed the object
+};
+
+/// @param importance  null: no mask
 Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
-                          const gpu::ObjectState& last, gpu::uint lastMarks,
-                          const ImportanceMask* importance = nullptr);
+                          const LastFrame& last, const ImportanceMask* importance = nullptr);
 
 }  // namespace jalousie::visibility

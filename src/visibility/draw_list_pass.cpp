@@ -66,7 +66,7 @@ DrawListPass::DrawListPass(const scene::SceneData& scene)
       writeCountsProgram_(programSource(ProgramId::kWriteCounts)),
       tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
       bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
-      slots_(makeStorage(sizeof(gpu::uint) * scene.objects.size(), "slots")),
+      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), "slots")),
       entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, "bin counts")),
       blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, "block sums")) {
   if (tileCount_ > 65535)

@@ -2,6 +2,7 @@
 #include "visibility/draw_lists_reference.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "visibility/lod_policy.h"
 
@@ -30,16 +31,25 @@ Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uin
   return ranges;
 }
 
+bool drawsOcclusionMap(const gpu::CullView& view, gpu::uint phase) {
+  return phase == gpu::kMarkEarly && view.cullMode != gpu::kCullHiz;
+}
+
+bool isFading(const gpu::CullView& view, gpu::uint marks, gpu::uint phase) {
+  return fadeFrames(marks) > 0 && view.detail == gpu::kDetailDiscrete && !drawsOcclusionMap(view, phase);
+}
+
+/// What fades is drawn through the sheet list, where pixels can be left out.
 gpu::uint binOf(const scene::SceneData& scene, const gpu::CullView& view, const gpu::ObjectState& state,
                 const gpu::ScreenBox& box, gpu::uint marks, const gpu::Chain& chain, gpu::uint phase) {
   gpu::uint level = state.lod;
   if (view.detail == gpu::kDetailTessellation) {
     level = state.tessellation > 1 ? 1 : 0;
-  } else if (phase == gpu::kMarkEarly && view.cullMode != gpu::kCullHiz) {
+  } else if (drawsOcclusionMap(view, phase)) {
     level = pixelErrorLod(std::span(scene.lods).subspan(chain.firstLod, chain.lodCount), box.pixelsPerUnit,
                           view.occluderTau);
   }
-  return 2 * level + ((marks & gpu::kMarkMirrored) != 0 ? 1 : 0);
+  return 2 * level + ((marks & gpu::kMarkMirrored) != 0 || isFading(view, marks, phase) ? 1 : 0);
 }
 
 void addCommands(DrawLists& lists, const Ranges& ranges, gpu::uint first, gpu::uint instances, bool keepEmpty) {
@@ -65,16 +75,25 @@ DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& vie
                          std::span<const gpu::uint> marks, gpu::uint phase, Submission submission,
                          std::uint32_t capacity) {
   struct Entry {
-    gpu::uint object, chain, bin;
+    gpu::uint chain, bin, tile;
+    bool goes;  ///< the level that fades out
+    gpu::uint value;
   };
   std::vector<Entry> entries;
-  for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
-    if ((marks[i] & phase) == 0) continue;
-    const gpu::uint chain = scene.objects[i].chain;
-    entries.push_back({i, chain, binOf(scene, view, states[i], boxes[i], marks[i], scene.chains[chain], phase)});
+  for (gpu::uint t = 0; t < scene.binLayout.tiles.size(); ++t) {
+    const gpu::Tile& tile = scene.binLayout.tiles[t];
+    for (gpu::uint i = tile.firstObject; i < tile.firstObject + tile.objectCount; ++i) {
+      if ((marks[i] & phase) == 0) continue;
+      const bool fades = isFading(view, marks[i], phase);
+      const gpu::uint bin = binOf(scene, view, states[i], boxes[i], marks[i], scene.chains[tile.chain], phase);
+      entries.push_back({tile.chain, bin, t, false, fades ? i | gpu::kInstanceFadingIn : i});
+      if (fades)
+        entries.push_back(
+            {tile.chain, 2 * fadingLod(states[i].lod, marks[i]) + 1, t, true, i | gpu::kInstanceFadingOut});
+    }
   }
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.chain != b.chain ? a.chain < b.chain : a.bin < b.bin;
+    return std::tie(a.chain, a.bin, a.tile, a.goes) < std::tie(b.chain, b.bin, b.tile, b.goes);
   });
   DrawLists lists;
   const std::size_t kept = std::min<std::size_t>(entries.size(), capacity);
@@ -91,7 +110,7 @@ DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& vie
     addCommands(lists, ranges, static_cast<gpu::uint>(i), static_cast<gpu::uint>(end - i), perObject);
     if (perObject) addNothing(lists, ranges, view.detail == gpu::kDetailTessellation);
     for (; i < end; ++i)
-      lists.instances.push_back(entries[i].object);
+      lists.instances.push_back(entries[i].value);
   }
   return lists;
 }

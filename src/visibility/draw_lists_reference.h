@@ -20,7 +20,7 @@ enum class Submission : std::uint32_t {
 
 /// What one list draws.
 struct DrawLists {
-  std::vector<gpu::uint> instances;                                     ///< object ids, bin after bin
+  std::vector<gpu::uint> instances;  ///< object ids with kInstance... bits, bin after bin
   std::array<std::vector<gpu::DrawCommand>, gpu::kListCount> commands;  ///< without the empty ones of kInstanced
   std::uint32_t dropped = 0;                                            ///< instances beyond the capacity
 };

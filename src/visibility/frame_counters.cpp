@@ -3,6 +3,7 @@
 
 #include "core/check.h"
 #include "scene/patch_base.h"
+#include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 
@@ -25,7 +26,13 @@ FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& vi
     ++counters[early ? gpu::kCounterEarly : gpu::kCounterLate];
     const bool patches = view.detail == gpu::kDetailTessellation;
     ++counters[gpu::kCounterLevels + (patches ? state.tessellation - 1 : state.lod)];
-    const std::uint64_t triangles = trianglesOf(scene, scene.chains[scene.objects[i].chain], view.detail, state);
+    const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
+    std::uint64_t triangles = trianglesOf(scene, chain, view.detail, state);
+    if ((marks[i] & gpu::kMarkSwitched) != 0) ++counters[gpu::kCounterSwitches];
+    if (fadeFrames(marks[i]) > 0 && !patches) {
+      ++counters[gpu::kCounterFading];
+      triangles += scene.lods[chain.firstLod + fadingLod(state.lod, marks[i])].triangleCount;
+    }
     for (gpu::uint limb = 0; limb < 4; ++limb)
       counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
   }

@@ -77,7 +77,7 @@ float blockLv(gpu::uint measure, const Block& opacity, float texelPixels) {
   const Block transmittance{opacity.width, opacity.height, values};
   const float covered = 1.0F - openShare(transmittance);
   float h = 0.0F;
-  if (measure == gpu::kLvCoverage) h = covered;
+  if (measure == gpu::kLvCoverage || measure == gpu::kLvPixels) h = covered;
   if (measure == gpu::kLvSpectral) h = covered * spectralFineness(transmittance);
   if (measure == gpu::kLvChord) h = covered / (1.0F + meanOpenChord(transmittance) * texelPixels / gpu::kChordPixels);
   return 2.0F * h - 1.0F;

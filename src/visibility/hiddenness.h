@@ -23,7 +23,8 @@ float meanOpenChord(const Block& transmittance);
 
 /// Level of visibility 2 h - 1 of a block of opacities that is neither covered nor open; kLvThesis: its own, which may
 /// lie below -1. h is 0 (kLvNone), the covered share (kLvCoverage), that times the fineness (kLvSpectral), or that over
-/// 1 + chord / kChordPixels (kLvChord). GPU twin: shaders/lib/hiddenness.glsl
+/// 1 + chord / kChordPixels (kLvChord). kLvPixels: what was not counted yet has its covered share. GPU twin:
+/// shaders/lib/hiddenness.glsl
 /// @param measure  kLv...   @param texelPixels  side of a texel in pixels; only kLvChord looks at it
 float blockLv(gpu::uint measure, const Block& opacity, float texelPixels);
 

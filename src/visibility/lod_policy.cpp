@@ -23,9 +23,18 @@ std::uint32_t linearLod(float lv, std::uint32_t lodCount) {
 }
 
 float relaxedBudget(float lv, float relax) {
-  static_assert(gpu::kRelaxPower == 4);
-  const float h2 = hiddenShare(lv) * hiddenShare(lv);
-  return 1.0F + relax * h2 * h2;
+  const float share = std::max(1.0F - hiddenShare(lv), gpu::kLeastShare);
+  return std::min(std::pow(share, -1.0F / 3.0F), 1.0F + relax);
+}
+
+float pixelsLv(float visible, float area) {
+  return 1.0F - 2.0F * std::min((visible + gpu::kPixelGuard) / (gpu::kSilhouetteShare * area + gpu::kPixelGuard), 1.0F);
+}
+
+float smoothLv(float last, float measured) {
+  const float start = std::clamp(last, -1.0F, 1.0F);
+  return start +
+         (measured < start ? gpu::kSmoothAppearing : gpu::kSmoothHiding) * (std::clamp(measured, -1.0F, 1.0F) - start);
 }
 
 float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
@@ -44,16 +53,58 @@ std::uint32_t pixelErrorTessellation(float errorPixels, float tau, std::uint32_t
       std::clamp(std::ceil(std::sqrt(errorPixels / tau)), 1.0F, static_cast<float>(maxLevel)));
 }
 
+std::uint32_t fadeFrames(gpu::uint marks) {
+  return marks >> gpu::kMarkFadeShift;
+}
+
+std::uint32_t fadingLod(std::uint32_t lod, gpu::uint marks) {
+  return (marks & gpu::kMarkFromCoarser) != 0 ? lod + 1 : lod - 1;
+}
+
+std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_t highest) {
+  return last < lowest ? last + 1 : last > highest ? last - 1 : last;
+}
+
+namespace {
+
+void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchPixels, float pixelsPerUnit,
+                  float budget, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
+  state.tessellation = stepTowards(
+      last.tessellation, pixelErrorTessellation(patchPixels, budget * gpu::kHysteresis, view.maxTessellation),
+      pixelErrorTessellation(patchPixels, budget / gpu::kHysteresis, view.maxTessellation));
+  state.lod = last.lod;
+  if (fadeFrames(marks) > 1) {
+    marks -= 1U << gpu::kMarkFadeShift;
+    return;
+  }
+  marks &= ~gpu::kMarkFadeMask;
+  state.lod = stepTowards(last.lod, pixelErrorLod(levels, pixelsPerUnit, budget / gpu::kHysteresis),
+                          pixelErrorLod(levels, pixelsPerUnit, budget * gpu::kHysteresis));
+  if (state.lod != last.lod && view.detail == gpu::kDetailDiscrete)
+    marks |= (gpu::kFadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
+}
+
+}  // namespace
+
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
-                  const gpu::ScreenBox& box, gpu::ObjectState& state) {
+                  const gpu::ScreenBox& box, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
+  const bool known = (marks & gpu::kMarkKnown) != 0;
   if (view.lodRule == gpu::kLodLinear) {
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
   } else if (view.lodRule == gpu::kLodPixelError || view.lodRule == gpu::kLodLvError) {
     const float budget = view.lodRule == gpu::kLodLvError ? box.tau * relaxedBudget(state.lv, view.relax) : box.tau;
-    state.lod = pixelErrorLod(levels, box.pixelsPerUnit, budget);
-    state.tessellation = pixelErrorTessellation(patchError * box.pixelsPerUnit, budget, view.maxTessellation);
+    const float patchPixels = patchError * box.pixelsPerUnit;
+    if (view.calm != 0 && known) {
+      followBudget(view, levels, patchPixels, box.pixelsPerUnit, budget, last, state, marks);
+    } else {
+      state.lod = pixelErrorLod(levels, box.pixelsPerUnit, budget);
+      state.tessellation = pixelErrorTessellation(patchPixels, budget, view.maxTessellation);
+    }
   }
+  const bool same =
+      view.detail == gpu::kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
+  if (known && !same) marks |= gpu::kMarkSwitched;
 }
 
 }  // namespace jalousie::visibility

@@ -19,8 +19,15 @@ std::uint32_t tessellationLevel(float lv, std::uint32_t levels);
 /// The same mapping onto a chain: 0 when open, lodCount - 1 when covered. @pre lodCount >= 1
 std::uint32_t linearLod(float lv, std::uint32_t lodCount);
 
-/// How much a hidden object's budget grows: 1 + relax * hiddenShare(lv)^kRelaxPower.
+/// How much a hidden object's budget grows: (1 - hiddenShare(lv))^(-1/3), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax);
+
+/// LV of an object of which `visible` pixels showed, in a rectangle of `area` pixels: 1 - 2 s with the visible share
+/// s = min((visible + kPixelGuard) / (kSilhouetteShare * area + kPixelGuard), 1).
+float pixelsLv(float visible, float area);
+
+/// LV on its way from the last frame's value to the one just measured: quick when the object comes into sight.
+float smoothLv(float last, float measured);
 
 /// Pixels that an error of one object-space unit can cover: scale * focalPixels / max(distance - radius, zNear).
 /// @param scale  world units per object unit   @param distance  from the eye to the centre of the bounding sphere
@@ -33,9 +40,19 @@ std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUni
 /// @param errorPixels  projected gap between the untessellated base and its curved surface
 std::uint32_t pixelErrorTessellation(float errorPixels, float tau, std::uint32_t maxLevel);
 
-/// Fills lod and tessellation under the view's rule; kLodFinest leaves them.
-/// @param patchError  errorObject of the patch base
+/// Frames that a cross-fade still takes, this one included; 0: none.
+std::uint32_t fadeFrames(gpu::uint marks);
+/// The level that fades out. @pre fadeFrames(marks) > 0
+std::uint32_t fadingLod(std::uint32_t lod, gpu::uint marks);
+
+/// One step from the last level towards [lowest, highest].
+std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_t highest);
+
+/// Fills lod and tessellation under the view's rule; kLodFinest leaves them. With view.calm, what was drawn in the last
+/// frame (kMarkKnown) goes on from there: it keeps its level within kHysteresis, changes it by one, and fades.
+/// @param patchError  errorObject of the patch base   @param last  the object in the last frame
+/// @param marks  gets kMarkSwitched and the frames of the fade
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
-                  const gpu::ScreenBox& box, gpu::ObjectState& state);
+                  const gpu::ScreenBox& box, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks);
 
 }  // namespace jalousie::visibility

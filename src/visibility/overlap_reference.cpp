@@ -88,7 +88,7 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
 }
 
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels,
-                          gpu::uint lvMeasure) {
+                          std::optional<gpu::uint> lvMeasure) {
   const auto width = static_cast<float>(cover.layout().screenWidth);
   const auto height = static_cast<float>(cover.layout().screenHeight);
   gpu::ScreenBox box = given;
@@ -107,18 +107,25 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float
   }
 
   if (range.lowest >= cullThreshold) return {gpu::kVerdictOccluded, 1.0F};
-  if (range.highest <= 0.0F && !cover.depthAware()) return {gpu::kVerdictOpen, -1.0F};
+  if (range.highest <= 0.0F && (!cover.depthAware() || !lvMeasure)) return {gpu::kVerdictOpen, -1.0F};
+  if (!lvMeasure) return {gpu::kVerdictPartial, -1.0F};
   const AnalysedBlock block = analysedBlock(cover, box);
   if (*std::max_element(block.opacity.begin(), block.opacity.end()) <= 0.0F) return {gpu::kVerdictOpen, -1.0F};
   return {gpu::kVerdictPartial,
-          blockLv(lvMeasure, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
+          blockLv(*lvMeasure, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
+}
+
+bool isCounted(const gpu::CullView& view, gpu::uint marks) {
+  return view.lvMeasure == gpu::kLvPixels && view.countsValid != 0 && (marks & gpu::kMarkKnown) != 0;
 }
 
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
                   const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks) {
   const bool early = (marks & gpu::kMarkEarly) != 0;
   const bool hidden = result.verdict == gpu::kVerdictOccluded;
-  state.lv = result.lv;
+  const bool counted = isCounted(view, marks);
+  const gpu::ObjectState last = state;
+  if (!counted) state.lv = (marks & gpu::kMarkKnown) != 0 && view.calm != 0 ? smoothLv(last.lv, result.lv) : result.lv;
   state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;
   if (hidden) {
     marks &= ~gpu::kMarkVisible;
@@ -126,9 +133,9 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
   }
   marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
   const bool followsLv = view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError;
-  if (early || !followsLv) return;
+  if (early || counted || !followsLv) return;
   chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
-               scene.lods[chain.patchLod].errorObject, box, state);
+               scene.lods[chain.patchLod].errorObject, box, last, state, marks);
 }
 
 }  // namespace jalousie::visibility

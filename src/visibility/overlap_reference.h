@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "scene/scene_data.h"
@@ -57,13 +58,17 @@ struct AnalysedBlock {
 AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box);
 
 /// Verdict and LV of one occludee. @param cullThreshold  opacity from which a texel hides, (0, 1]
+/// @param lvMeasure  absent: no block is looked at, and LV has no meaning
 /// @param guardPixels  the rectangle grows by this much on every side: the occluders' own error (hom-depth)
 struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial
   float lv = -1.0F;                       ///< normalised
 };
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F,
-                          gpu::uint lvMeasure = gpu::kLvThesis);
+                          std::optional<gpu::uint> lvMeasure = gpu::kLvThesis);
+
+/// Whether an object's LV is counted, not measured here: its pixels in the last frame are known.
+bool isCounted(const gpu::CullView& view, gpu::uint marks);
 
 /// What the kernel makes of a pending object: verdict, lv, phase, and where the rule follows LV the detail of what is
 /// drawn late. @pre state.verdict is kVerdictPending; view.analyse is 1

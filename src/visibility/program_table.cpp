@@ -22,6 +22,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"write commands", {"visibility/write_commands.comp"}, {}},
       {"write counts", {"visibility/write_commands.comp"}, {"JAL_PER_OBJECT"}},
       {"count states", {"visibility/count_states.comp"}, {}},
+      {"count pixels", {"visibility/count_pixels.comp"}, {}},
   };
   return kPrograms;
 }

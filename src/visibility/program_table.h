@@ -25,6 +25,7 @@ enum class ProgramId : unsigned {
   kWriteCommands,
   kWriteCounts,
   kCountStates,
+  kCountPixels,
 };
 
 /// All programs, in the order of ProgramId.

@@ -36,11 +36,13 @@ VisibilityPass::VisibilityPass(std::uint32_t objectCount, const ImportanceMask* 
       analyseMapProgram_(programSource(ProgramId::kAnalyseMap)),
       analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth)),
       analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth)),
+      countPixelsProgram_(programSource(ProgramId::kCountPixels)),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
       cosines_(makeCosines()),
       states_(makeStorage(sizeof(gpu::ObjectState) * objectCount, "object states")),
       boxes_(makeStorage(sizeof(gpu::ScreenBox) * objectCount, "screen boxes")),
-      marks_(makeStorage(sizeof(gpu::uint) * objectCount, "object marks")) {
+      marks_(makeStorage(sizeof(gpu::uint) * objectCount, "object marks")),
+      pixelCounts_(makeStorage(sizeof(gpu::uint) * objectCount, "pixels per object")) {
   if (importance == nullptr) return;
   importance_ = makeImportance(*importance);
   importanceWidth_ = importance->width();
@@ -52,11 +54,14 @@ void VisibilityPass::setView(gpu::CullView view) {
   view.importanceLevels = importance_ ? importance_->size().levels : 0;
   view.importanceWidth = importanceWidth_;
   view.importanceHeight = importanceHeight_;
+  view.countsValid = countsValid_ ? 1 : 0;
+  countsValid_ = false;
   view_.writeValue(view);
 }
 
 void VisibilityPass::classify(const SceneBindings& scene) {
   if (importance_) importance_->bind(gpu::kUnitImportance);
+  pixelCounts_.bindStorage(gpu::kBindingPixelCounts);
   dispatch(classifyProgram_, scene);
 }
 
@@ -71,6 +76,23 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint cullMode, con
            : cullMode == gpu::kCullHomDepth ? analyseMapDepthProgram_
                                             : analyseDepthProgram_,
            scene);
+}
+
+void VisibilityPass::countPixels(const gl::Texture& items) {
+  countsValid_ = true;
+  if (objectCount_ == 0) return;
+  pixelCounts_.clear();
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  countPixelsProgram_.use();
+  items.bindImage(gpu::kImageSource, 0, GL_READ_ONLY);
+  pixelCounts_.bindStorage(gpu::kBindingPixelCounts);
+  const auto groups = [](std::uint32_t pixels, int side) {
+    const std::uint32_t step = static_cast<std::uint32_t>(side) * gpu::kTexelGroupSide;
+    return (pixels + step - 1) / step;
+  };
+  glDispatchCompute(groups(items.size().width, gpu::kCountBlockWidth),
+                    groups(items.size().height, gpu::kCountBlockHeight), 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& scene) const {

@@ -45,18 +45,26 @@ class VisibilityPass {
   void classify(const SceneBindings& scene);
   /// Overlap test and LV of the objects that classify left pending. Leaves a STORAGE barrier.
   void analyse(const SceneBindings& scene, gpu::uint cullMode, const CoverTextures& cover);
+  /// Counts the pixels that show each object, for the next frame's LV (kLvPixels). Call after the frame is drawn.
+  /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
+  void countPixels(const gl::Texture& items);
   /// Forgets what was visible in the last frame.
   void resetHistory() { marks_.clear(); }
 
   std::uint32_t objectCount() const { return objectCount_; }
-  const gl::Buffer& view() const { return view_; }      ///< gpu::CullView
-  const gl::Buffer& states() const { return states_; }  ///< gpu::ObjectState [objectCount]
-  const gl::Buffer& boxes() const { return boxes_; }    ///< gpu::ScreenBox [objectCount]
-  const gl::Buffer& marks() const { return marks_; }    ///< kMark... [objectCount]
+  const gl::Buffer& view() const { return view_; }                ///< gpu::CullView
+  const gl::Buffer& states() const { return states_; }            ///< gpu::ObjectState [objectCount]
+  const gl::Buffer& boxes() const { return boxes_; }              ///< gpu::ScreenBox [objectCount]
+  const gl::Buffer& marks() const { return marks_; }              ///< kMark... [objectCount]
+  const gl::Buffer& pixelCounts() const { return pixelCounts_; }  ///< gpu::uint [objectCount]
   /// For tests that feed the kernels given input.
   gl::Buffer& statesForTest() { return states_; }
   gl::Buffer& boxesForTest() { return boxes_; }
   gl::Buffer& marksForTest() { return marks_; }
+  gl::Buffer& pixelCountsForTest() {
+    countsValid_ = true;
+    return pixelCounts_;
+  }
 
  private:
   void dispatch(const gl::Program& program, const SceneBindings& scene) const;
@@ -66,11 +74,14 @@ class VisibilityPass {
   gl::Program analyseMapProgram_;
   gl::Program analyseMapDepthProgram_;
   gl::Program analyseDepthProgram_;
+  gl::Program countPixelsProgram_;
   gl::Buffer view_;
   gl::Buffer cosines_;
   gl::Buffer states_;
   gl::Buffer boxes_;
   gl::Buffer marks_;
+  gl::Buffer pixelCounts_;
+  bool countsValid_ = false;  ///< pixelCounts_ holds the last frame's
   std::optional<gl::Texture> importance_;
   gpu::uint importanceWidth_ = 0;
   gpu::uint importanceHeight_ = 0;

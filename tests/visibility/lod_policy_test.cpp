@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "shared/limits.h"
+
 namespace jalousie::visibility {
 namespace {
 
@@ -80,12 +82,23 @@ TEST(PixelError, TessellationHalvesTheLevelForFourTimesTheTau) {
   EXPECT_EQ(pixelErrorTessellation(0.0F, 0.0F, 20), 1U);
 }
 
-TEST(LvError, BudgetGrowsWithTheFourthPowerOfHiddenness) {
+TEST(LvError, BudgetGrowsWithTheInverseCubeRootOfWhatIsVisible) {
   EXPECT_FLOAT_EQ(relaxedBudget(-1.0F, 64.0F), 1.0F);
   EXPECT_FLOAT_EQ(relaxedBudget(-1.8F, 64.0F), 1.0F) << "LV may lie below -1";
-  EXPECT_FLOAT_EQ(relaxedBudget(0.0F, 64.0F), 5.0F);
+  EXPECT_NEAR(relaxedBudget(1.0F - 2.0F / 8.0F, 64.0F), 2.0F, 1e-5F) << "an eighth is visible";
+  EXPECT_NEAR(relaxedBudget(1.0F - 2.0F / 1000.0F, 64.0F), 10.0F, 1e-3F);
   EXPECT_FLOAT_EQ(relaxedBudget(1.0F, 64.0F), 65.0F);
   EXPECT_FLOAT_EQ(relaxedBudget(1.0F, 0.0F), 1.0F) << "without relaxing it is the projected error";
+}
+
+TEST(LvError, PixelsCountAgainstHalfTheRectangle) {
+  EXPECT_FLOAT_EQ(pixelsLv(5000.0F, 10000.0F), -1.0F);
+  EXPECT_FLOAT_EQ(pixelsLv(9000.0F, 10000.0F), -1.0F) << "a box that fills its rectangle is not more than open";
+  EXPECT_NEAR(pixelsLv(500.0F, 10000.0F), 0.8F, 0.002F) << "a tenth of the silhouette";
+  EXPECT_GT(pixelsLv(0.0F, 10000.0F), 0.99F);
+  EXPECT_FLOAT_EQ(pixelsLv(0.0F, 0.0F), -1.0F) << "of a speck nothing can be said";
+  for (float visible = 0.0F; visible < 600.0F; ++visible)
+    EXPECT_LE(pixelsLv(visible + 1.0F, 1000.0F), pixelsLv(visible, 1000.0F));
 }
 
 TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
@@ -97,14 +110,98 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   gpu::ScreenBox box{};
   box.pixelsPerUnit = 100.0F;
   box.tau = 1.0F;
+  gpu::uint marks = 0;
   gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
-  chooseDetail(view, levels, 1.0F, box, open);
+  chooseDetail(view, levels, 1.0F, box, {}, open, marks);
   EXPECT_EQ(open.lod, 1U);
   EXPECT_EQ(open.tessellation, 10U);
   gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
-  chooseDetail(view, levels, 1.0F, box, hidden);
+  chooseDetail(view, levels, 1.0F, box, {}, hidden, marks);
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
+  EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
+}
+
+/// One object whose budget an outside force changes from frame to frame.
+struct CalmObject {
+  explicit CalmObject(gpu::uint detail = gpu::kDetailDiscrete) {
+    view.lodRule = gpu::kLodPixelError;
+    view.detail = detail;
+    view.maxTessellation = 20;
+    view.calm = 1;
+    box.pixelsPerUnit = 1.0F;
+    marks = gpu::kMarkKnown;
+  }
+  void frame(float tau) {
+    box.tau = tau;
+    marks = gpu::kMarkKnown | (marks & gpu::kMarkFadeMask);
+    gpu::ObjectState next{};
+    chooseDetail(view, levels, 40.0F, box, state, next, marks);
+    state = next;
+  }
+  bool switched() const { return (marks & gpu::kMarkSwitched) != 0; }
+
+  std::vector<gpu::Lod> levels = levelsWithErrors({0.0F, 1.0F, 2.0F, 4.0F, 8.0F});
+  gpu::CullView view{};
+  gpu::ScreenBox box{};
+  gpu::ObjectState state{gpu::kVerdictPartial, 2, 5, -1.0F};
+  gpu::uint marks = 0;
+};
+
+TEST(Calm, AnErrorWithinTheMarginKeepsTheLevel) {
+  CalmObject object;
+  for (const float tau : {2.0F, 1.7F, 2.4F, 3.9F, 4.9F, 1.61F}) {
+    object.frame(tau);
+    EXPECT_EQ(object.state.lod, 2U) << "tau " << tau;
+    EXPECT_FALSE(object.switched());
+  }
+  object.frame(1.59F);  // 2 > 1.25 * 1.59
+  EXPECT_EQ(object.state.lod, 1U);
+  EXPECT_TRUE(object.switched());
+  CalmObject coarser;
+  coarser.frame(5.01F);  // 4 < 5.01 / 1.25
+  EXPECT_EQ(coarser.state.lod, 3U);
+}
+
+TEST(Calm, OneLevelAStepAndNoOtherWhileItFades) {
+  CalmObject object;
+  std::vector<std::uint32_t> lods;
+  std::vector<std::uint32_t> frames;
+  for (std::uint32_t i = 0; i < 2 * gpu::kFadeFrames + 1; ++i) {
+    object.frame(100.0F);
+    lods.push_back(object.state.lod);
+    frames.push_back(fadeFrames(object.marks));
+    if (frames.back() > 0) {
+      EXPECT_EQ(fadingLod(object.state.lod, object.marks), object.state.lod - 1);
+    }
+  }
+  for (std::uint32_t i = 0; i < gpu::kFadeFrames; ++i) {
+    EXPECT_EQ(lods[i], 3U);
+    EXPECT_EQ(frames[i], gpu::kFadeFrames - i);
+    EXPECT_EQ(lods[gpu::kFadeFrames + i], 4U);
+  }
+  EXPECT_EQ(lods.back(), 4U);
+  EXPECT_EQ(frames.back(), 0U);
+  object.frame(0.0F);
+  EXPECT_EQ(object.state.lod, 3U);
+  EXPECT_EQ(fadingLod(object.state.lod, object.marks), 4U) << "finer: the coarser level goes";
+}
+
+TEST(Calm, TessellationMovesOneLevelAFrameWithinItsMargin) {
+  CalmObject object(gpu::kDetailTessellation);
+  object.frame(1.6F);  // 40 / 25 = 1.6: level 5 is exact
+  EXPECT_EQ(object.state.tessellation, 5U);
+  object.frame(1.4F);
+  EXPECT_EQ(object.state.tessellation, 5U);
+  object.frame(0.1F);  // wants 20
+  EXPECT_EQ(object.state.tessellation, 6U);
+  EXPECT_EQ(fadeFrames(object.marks), 0U);
+}
+
+TEST(Calm, LvComesIntoSightFasterThanItGoes) {
+  EXPECT_FLOAT_EQ(smoothLv(1.0F, -1.0F), 0.0F);
+  EXPECT_FLOAT_EQ(smoothLv(-1.0F, 1.0F), -0.75F);
+  EXPECT_FLOAT_EQ(smoothLv(-1.8F, -1.8F), -1.0F) << "LV below -1 is no more open than -1";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/random.h"
@@ -21,6 +22,7 @@
 #include "visibility/depth_pyramid_pass.h"
 #include "visibility/draw_list_pass.h"
 #include "visibility/frame_counters.h"
+#include "visibility/item_buffer.h"
 #include "visibility/overlap_reference.h"
 #include "visibility/statistics_pass.h"
 
@@ -92,17 +94,34 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
                            const ImportanceMask* importance = nullptr) {
   const render::SceneBuffers buffers(scene);
   VisibilityPass pass(buffers.objectCount(), importance);
-  pass.setView(view);
-  std::vector<gpu::ObjectState> last(scene.objects.size());
-  std::vector<gpu::uint> lastMarks(scene.objects.size());
+  std::vector<LastFrame> last(scene.objects.size());
   Random random(31);
   for (std::size_t i = 0; i < last.size(); ++i) {
-    last[i] = {gpu::kVerdictPartial, 0, 1, random.uniform(-1.5F, 1.0F)};
+    const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
+    last[i].state = {gpu::kVerdictPartial, random.below(chain.lodCount), 1 + random.below(view.maxTessellation),
+                     random.uniform(-1.5F, 1.0F)};
     constexpr gpu::uint kHistories[] = {0, gpu::kMarkTested, gpu::kMarkTested | gpu::kMarkVisible, gpu::kMarkVisible};
-    lastMarks[i] = kHistories[random.below(4)];
+    last[i].marks = kHistories[random.below(4)];
+    if (random.below(2) == 0) last[i].marks |= random.below(2) == 0 ? gpu::kMarkEarly : gpu::kMarkLate;
+    const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kFadeFrames + 1) : 0;
+    const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
+    if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
+    last[i].pixels = random.below(3) == 0 ? 0 : random.below(1U << random.below(16));
   }
-  pass.statesForTest().write(0, std::as_bytes(std::span(last)));
+  std::vector<gpu::ObjectState> lastStates;
+  std::vector<gpu::uint> lastMarks;
+  std::vector<gpu::uint> lastPixels;
+  for (const LastFrame& frame : last) {
+    lastStates.push_back(frame.state);
+    lastMarks.push_back(frame.marks);
+    lastPixels.push_back(frame.pixels);
+  }
+  pass.statesForTest().write(0, std::as_bytes(std::span(lastStates)));
   pass.marksForTest().write(0, std::as_bytes(std::span(lastMarks)));
+  pass.pixelCountsForTest().write(0, std::as_bytes(std::span(lastPixels)));
+  gpu::CullView counted = view;
+  counted.countsValid = 1;
+  pass.setView(counted);
   pass.classify(buffers.bindings());
   const auto states = pass.states().read<gpu::ObjectState>(scene.objects.size());
   const auto boxes = pass.boxes().read<gpu::ScreenBox>(scene.objects.size());
@@ -110,18 +129,22 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
   std::size_t otherLevels = 0;
   for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
     const std::vector<gpu::uint> plausible = plausibleVerdicts(scene, i, view);
-    const Classified expected = classifyObject(scene, view, i, last[i], lastMarks[i], importance);
+    const Classified expected = classifyObject(scene, counted, i, last[i], importance);
     if (view.minPixels == 0.0F) {
       EXPECT_NE(std::find(plausible.begin(), plausible.end(), states[i].verdict), plausible.end())
           << "object " << i << " verdict " << states[i].verdict << " expected " << plausible[1];
     }
     if (states[i].verdict != expected.state.verdict) continue;
-    EXPECT_EQ(marks[i], expected.marks) << "object " << i;
-    EXPECT_EQ(states[i].lv, expected.state.lv) << "object " << i;
+    EXPECT_NEAR(states[i].lv, expected.state.lv, 1e-5F) << "object " << i;
     if (expected.state.verdict == gpu::kVerdictOutside || expected.state.verdict == gpu::kVerdictNear) continue;
     expectSameBox(boxes[i], expected.box);
     // A level is a threshold on a float: an ulp may decide, but only rarely.
-    otherLevels += states[i].lod != expected.state.lod || states[i].tessellation != expected.state.tessellation ? 1 : 0;
+    const bool sameLevels =
+        states[i].lod == expected.state.lod && states[i].tessellation == expected.state.tessellation;
+    otherLevels += sameLevels ? 0 : 1;
+    if (sameLevels) {
+      EXPECT_EQ(marks[i], expected.marks) << "object " << i;
+    }
   }
   EXPECT_LE(otherLevels, 1 + scene.objects.size() / 200);
 }
@@ -171,6 +194,28 @@ TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
       view.minPixels = 60.0F;
       view.tau = 3.0F;
       compareClassification(scene, view, &mask);
+    }
+  }
+}
+
+TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
+  const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 9), {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHom, gpu::kCullHiz}) {
+    for (const gpu::uint measure : {gpu::kLvChord, gpu::kLvPixels}) {
+      for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+        for (const gpu::uint calm : {0U, 1U}) {
+          gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F);
+          view.relax = 64.0F;
+          view.tau = 0.3F;
+          view.cullMode = mode;
+          view.lodRule = gpu::kLodLvError;
+          view.lvMeasure = measure;
+          view.detail = detail;
+          view.calm = calm;
+          compareClassification(scene, view);
+        }
+      }
     }
   }
 }
@@ -319,7 +364,8 @@ SceneData sceneOfCount(std::size_t count) {
 class AnalyseGl : public test::GlTest {
  protected:
   /// Runs the kernel of a mode on given boxes, some of them drawn early, and compares with the twin.
-  static void compare(gpu::uint mode, std::size_t (&verdicts)[gpu::kVerdictCount], gpu::uint measure = gpu::kLvThesis) {
+  static void compare(gpu::uint mode, std::size_t (&verdicts)[gpu::kVerdictCount], gpu::uint measure = gpu::kLvThesis,
+                      gpu::uint calm = 0) {
     constexpr std::size_t kCount = 1500;
     const SceneData scene = sceneOfCount(kCount);
     const render::SceneBuffers buffers(scene);
@@ -337,11 +383,18 @@ class AnalyseGl : public test::GlTest {
         view.cullThreshold = threshold;
         view.occluderTau = mode == gpu::kCullHomDepth ? 0.5F : 0.0F;
         view.lvMeasure = measure;
+        view.calm = calm;
+        view.lodRule = calm != 0 ? gpu::kLodLvError : gpu::kLodLinear;
+        view.relax = 64.0F;
+        view.countsValid = 1;
+        pass.pixelCountsForTest();  // the last frame was counted
         pass.setView(view);
-        std::vector<gpu::ObjectState> states(kCount, {gpu::kVerdictPending, 3, 20, -1.0F});
+        std::vector<gpu::ObjectState> states(kCount, {gpu::kVerdictPending, 3, 20, -0.5F});
         std::vector<gpu::uint> marks(kCount);
         for (std::size_t i = 0; i < kCount; i += 3)
           marks[i] = mode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+        for (std::size_t i = 0; i < kCount; i += 5)
+          marks[i] |= gpu::kMarkKnown | (i % 2 == 0 ? 3U << gpu::kMarkFadeShift : 0);
         pass.boxesForTest().write(0, std::as_bytes(std::span(boxes)));
         pass.statesForTest().write(0, std::as_bytes(std::span(states)));
         pass.marksForTest().write(0, std::as_bytes(std::span(marks)));
@@ -349,8 +402,8 @@ class AnalyseGl : public test::GlTest {
         const auto gpuStates = pass.states().read<gpu::ObjectState>(kCount);
         const auto gpuMarks = pass.marks().read<gpu::uint>(kCount);
         for (std::size_t i = 0; i < kCount; ++i) {
-          const OverlapResult result =
-              testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F, measure);
+          const OverlapResult result = testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F,
+                                                   isCounted(view, marks[i]) ? std::nullopt : std::optional(measure));
           applyOverlap(result, scene, view, scene.chains[0], boxes[i], states[i], marks[i]);
           ASSERT_EQ(gpuStates[i].verdict, states[i].verdict) << size.width << "x" << size.height << " box " << i;
           ASSERT_NEAR(gpuStates[i].lv, states[i].lv, measure == gpu::kLvThesis ? 2e-5F : 2e-4F)
@@ -394,6 +447,7 @@ TEST_F(AnalyseGl, EveryMeasureEqualsTheTwinOnEveryCover) {
       std::size_t verdicts[gpu::kVerdictCount] = {};
       compare(mode, verdicts, measure);
       EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
+      compare(mode, verdicts, measure, 1);
     }
   }
 }
@@ -414,6 +468,31 @@ TEST_F(AnalyseGl, DecidedObjectsAreLeftAlone) {
   const auto states = pass.states().read<gpu::ObjectState>(4);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(states[i].verdict, decided[i].verdict);
+}
+
+class ItemBufferGl : public test::GlTest {};
+
+TEST_F(ItemBufferGl, CountsEqualTheTwin) {
+  constexpr std::uint32_t kObjects = 500;
+  VisibilityPass pass(kObjects);
+  for (const ScreenSize size : {ScreenSize{1, 1}, {33, 5}, {640, 360}, {1366, 77}, {256, 16}, {257, 17}}) {
+    for (const std::uint32_t cell : {0U, 1U, 3U, 40U}) {
+      Random random(size.width + cell);
+      gl::Texture items(GL_TEXTURE_2D, GL_R32UI, {size.width, size.height, 1, 1}, "items");
+      items.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+      std::vector<std::uint32_t> values(std::size_t{size.width} * size.height, kObjects);  // cell 0: one object
+      const std::uint32_t salt = random.below(1000);
+      for (std::uint32_t y = 0; y < size.height && cell > 0; ++y)
+        for (std::uint32_t x = 0; x < size.width; ++x)
+          values[std::size_t{y} * size.width + x] =
+              cell == 1 ? random.below(kObjects + 1) : ((x / cell) * 31 + (y / cell) * 17 + salt) % (kObjects + 1);
+      glTextureSubImage2D(items.id(), 0, 0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height),
+                          GL_RED_INTEGER, GL_UNSIGNED_INT, values.data());
+      pass.countPixels(items);
+      EXPECT_EQ(pass.pixelCounts().read<gpu::uint>(kObjects), countPixels(values, kObjects))
+          << size.width << "x" << size.height << " cell " << cell;
+    }
+  }
 }
 
 bool sameCommand(const gpu::DrawCommand& a, const gpu::DrawCommand& b) {
@@ -453,6 +532,11 @@ class DrawListGl : public test::GlTest {
                               random.below(3) == 0 ? 1 : 1 + random.below(maxTessellation), -1.0F});
       input.boxes.push_back({0, 0, 1, 1, 0.5F, std::exp2(random.uniform(0.0F, 12.0F)), 1.0F, 0.0F});
       input.marks.push_back(random.below(8) | (isMirrored(scene.transforms[i]) ? gpu::kMarkMirrored : 0));
+      if (chain.lodCount == 1 || random.below(3) > 0) continue;
+      const gpu::uint lod = input.states.back().lod;
+      const bool fromCoarser = lod == 0 || (lod + 1 < chain.lodCount && random.below(2) == 0);
+      input.marks.back() |=
+          (1 + random.below(gpu::kFadeFrames)) << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
     }
     return input;
   }
@@ -509,7 +593,7 @@ TEST_F(DrawListGl, EqualsTheTwinOnBothDetailPathsAndSubmissions) {
         const Input input = randomInput(scene, view.maxTessellation, 17 + mode);
         for (const gpu::uint phase : {gpu::kMarkEarly, gpu::kMarkLate})
           for (const Submission submission : {Submission::kInstanced, Submission::kPerObject})
-            for (const std::uint32_t capacity : {700U, 100U, 1U})
+            for (const std::uint32_t capacity : {1400U, 700U, 100U, 1U})
               compare(scene, view, phase, {submission, capacity, patches}, input);
       }
     }
