@@ -12,10 +12,10 @@ uint tessellationLevel(float lv, uint levels) {
 /// The same mapping onto a chain: LOD 0 when open, the coarsest when covered.
 uint linearLod(float lv, uint lodCount) { return lodCount - tessellationLevel(lv, lodCount); }
 
-/// How much a hidden object's budget grows: (visible share)^(-1/3), at most 1 + relax (docs/lod_selection.md).
+/// How much a hidden object's budget grows: (visible share)^(-1/4), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax) {
   float share = max(1.0 - hiddenShare(lv), kLeastShare);
-  return min(pow(share, -1.0 / 3.0), 1.0 + relax);
+  return min(inversesqrt(sqrt(share)), 1.0 + relax);
 }
 
 /// LV of an object of which `visible` pixels showed, in a rectangle of `area` pixels.
@@ -59,27 +59,30 @@ uint stepTowards(uint last, uint lowest, uint highest) {
   return last < lowest ? last + 1u : last > highest ? last - 1u : last;
 }
 
-/// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade.
-void followBudget(Chain chain, float pixelsPerUnit, float budget, ObjectState last, inout ObjectState state,
+/// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade. What no
+/// pixel shows need not fade.
+void followBudget(Chain chain, float pixelsPerUnit, float budget, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
   float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
   state.tessellation =
       stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * kHysteresis, cullView.maxTessellation),
                   pixelErrorTessellation(patchPixels, budget / kHysteresis, cullView.maxTessellation));
   state.lod = last.lod;
-  if (fadeFrames(mark) > 1u) {
+  if (seen && fadeFrames(mark) > 1u) {
     mark -= 1u << kMarkFadeShift;
     return;
   }
   mark &= ~kMarkFadeMask;
-  state.lod = stepTowards(last.lod, pixelErrorLod(chain, pixelsPerUnit, budget / kHysteresis),
-                          pixelErrorLod(chain, pixelsPerUnit, budget * kHysteresis));
-  if (state.lod != last.lod && cullView.detail == kDetailDiscrete)
+  uint finest = pixelErrorLod(chain, pixelsPerUnit, budget / kHysteresis);
+  uint coarsest = pixelErrorLod(chain, pixelsPerUnit, budget * kHysteresis);
+  state.lod = seen ? stepTowards(last.lod, finest, coarsest) : clamp(last.lod, finest, coarsest);
+  if (seen && state.lod != last.lod && cullView.detail == kDetailDiscrete)
     mark |= (kFadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
 }
 
-/// Detail of an object under the view's rule. @param last  of the frame before, where mark says kMarkKnown
-void chooseDetail(Chain chain, float pixelsPerUnit, float tau, ObjectState last, inout ObjectState state,
+/// Detail of an object under the view's rule. @param seen  whether a pixel of the last frame showed it, or nobody knows
+/// @param last  of the frame before, where mark says kMarkKnown
+void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
   bool known = (mark & kMarkKnown) != 0u;
   if (cullView.lodRule == kLodLinear) {
@@ -88,7 +91,7 @@ void chooseDetail(Chain chain, float pixelsPerUnit, float tau, ObjectState last,
   } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
     float budget = cullView.lodRule == kLodLvError ? tau * relaxedBudget(state.lv, cullView.relax) : tau;
     if (cullView.calm != 0u && known) {
-      followBudget(chain, pixelsPerUnit, budget, last, state, mark);
+      followBudget(chain, pixelsPerUnit, budget, seen, last, state, mark);
     } else {
       state.lod = pixelErrorLod(chain, pixelsPerUnit, budget);
       state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, budget,

@@ -39,11 +39,11 @@ const float kPixelGuard = 4.0;
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times this, and the next coarser one's is above the budget
 /// divided by it.
-const float kHysteresis = 1.25;
+const float kHysteresis = 1.75;
 /// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
 /// and when it goes out of it.
-const float kSmoothAppearing = 0.5;
-const float kSmoothHiding = 0.125;
+const float kSmoothAppearing = 0.25;
+const float kSmoothHiding = 0.078125;
 /// Frames of a cross-fade.
 const uint kFadeFrames = 8u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).

@@ -150,7 +150,7 @@ void main() {
   }
   bool followsLv = cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError;
   if (!early && !hidden && !counted && followsLv)
-    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, last, state, mark);
+    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, true, last, state, mark);
   marks[id] = mark;
   states[id] = state;
 }

@@ -60,10 +60,12 @@ bool followsBlock() {
   return (cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError) && cullView.lvMeasure != kLvPixels;
 }
 
+bool isCounted() { return cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u; }
+
 /// What is known of an object's visibility before this frame's test.
 float lvBeforeTest(uint id, bool known, bool measuredLater, vec4 rect, ObjectState last) {
   if (!known) return -1.0;
-  if (cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u) {
+  if (isCounted()) {
     vec2 size = rect.zw - rect.xy;
     float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
     return cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
@@ -99,7 +101,8 @@ void main() {
   if (measuredLater && known && selectsOccluders() && followsBlock()) {
     state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
   } else {
-    chooseDetail(chain, pixelsPerUnit, tau, last, state, mark);
+    bool seen = !isCounted() || pixelCounts[id] > 0u;
+    chooseDetail(chain, pixelsPerUnit, tau, seen, last, state, mark);
   }
   marks[id] = mark;
   states[id] = state;

@@ -117,7 +117,7 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
             options.frameOptions.relax = relax;
             options.relaxGiven = true;
           },
-          "With --lod lv-error, tau grows with (visible share)^(-1/3), up to 1 + RELAX times [64]")
+          "With --lod lv-error, tau grows with (visible share)^(-1/4), up to 1 + RELAX times [64]")
       ->check(CLI::Range(0.0F, 1000.0F));
   command.add_flag(
       "--calm", options.frameOptions.calm,

@@ -287,4 +287,8 @@ std::vector<gpu::uint> FrameRenderer::readMarks() const {
   return visibility_.marks().read<gpu::uint>(buffers_.objectCount());
 }
 
+std::vector<gpu::uint> FrameRenderer::readPixelCounts() const {
+  return visibility_.pixelCounts().read<gpu::uint>(buffers_.objectCount());
+}
+
 }  // namespace jalousie::render

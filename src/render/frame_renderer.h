@@ -95,6 +95,8 @@ class FrameRenderer {
   std::vector<gpu::ObjectState> readStates() const;
   std::vector<gpu::ScreenBox> readBoxes() const;
   std::vector<gpu::uint> readMarks() const;
+  /// Pixels that showed each object; of frames whose LV was kLvPixels.
+  std::vector<gpu::uint> readPixelCounts() const;
 
   gl::PassTimer& timer() { return timer_; }
   const gpu::CullView& cullView() const { return cullView_; }

@@ -167,14 +167,16 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
                  (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0);
   const bool measuredLater = verdict == gpu::kVerdictPending && view.cullMode >= gpu::kCullHom;
-  const glm::vec4 seen = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
-  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, measuredLater, seen, last)};
+  const glm::vec4 shown = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
+  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, measuredLater, shown, last)};
   if (measuredLater && known && selectsOccluders(view.cullMode) && followsBlock(view)) {
     result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
     return result;
   }
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, last.state, result.state, result.marks);
+  const bool seen = view.lvMeasure != gpu::kLvPixels || view.countsValid == 0 || last.pixels > 0;
+  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, seen, last.state, result.state,
+               result.marks);
   return result;
 }
 

@@ -24,7 +24,7 @@ std::uint32_t linearLod(float lv, std::uint32_t lodCount) {
 
 float relaxedBudget(float lv, float relax) {
   const float share = std::max(1.0F - hiddenShare(lv), gpu::kLeastShare);
-  return std::min(std::pow(share, -1.0F / 3.0F), 1.0F + relax);
+  return std::min(1.0F / std::sqrt(std::sqrt(share)), 1.0F + relax);
 }
 
 float pixelsLv(float visible, float area) {
@@ -68,26 +68,28 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 namespace {
 
 void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchPixels, float pixelsPerUnit,
-                  float budget, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
+                  float budget, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
   state.tessellation = stepTowards(
       last.tessellation, pixelErrorTessellation(patchPixels, budget * gpu::kHysteresis, view.maxTessellation),
       pixelErrorTessellation(patchPixels, budget / gpu::kHysteresis, view.maxTessellation));
   state.lod = last.lod;
-  if (fadeFrames(marks) > 1) {
+  if (seen && fadeFrames(marks) > 1) {
     marks -= 1U << gpu::kMarkFadeShift;
     return;
   }
   marks &= ~gpu::kMarkFadeMask;
-  state.lod = stepTowards(last.lod, pixelErrorLod(levels, pixelsPerUnit, budget / gpu::kHysteresis),
-                          pixelErrorLod(levels, pixelsPerUnit, budget * gpu::kHysteresis));
-  if (state.lod != last.lod && view.detail == gpu::kDetailDiscrete)
+  const std::uint32_t finest = pixelErrorLod(levels, pixelsPerUnit, budget / gpu::kHysteresis);
+  const std::uint32_t coarsest = pixelErrorLod(levels, pixelsPerUnit, budget * gpu::kHysteresis);
+  state.lod = seen ? stepTowards(last.lod, finest, coarsest) : std::clamp(last.lod, finest, coarsest);
+  if (seen && state.lod != last.lod && view.detail == gpu::kDetailDiscrete)
     marks |= (gpu::kFadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
 }
 
 }  // namespace
 
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
-                  const gpu::ScreenBox& box, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
+                  const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
+                  gpu::uint& marks) {
   const bool known = (marks & gpu::kMarkKnown) != 0;
   if (view.lodRule == gpu::kLodLinear) {
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
@@ -96,7 +98,7 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
     const float budget = view.lodRule == gpu::kLodLvError ? box.tau * relaxedBudget(state.lv, view.relax) : box.tau;
     const float patchPixels = patchError * box.pixelsPerUnit;
     if (view.calm != 0 && known) {
-      followBudget(view, levels, patchPixels, box.pixelsPerUnit, budget, last, state, marks);
+      followBudget(view, levels, patchPixels, box.pixelsPerUnit, budget, seen, last, state, marks);
     } else {
       state.lod = pixelErrorLod(levels, box.pixelsPerUnit, budget);
       state.tessellation = pixelErrorTessellation(patchPixels, budget, view.maxTessellation);

@@ -19,7 +19,7 @@ std::uint32_t tessellationLevel(float lv, std::uint32_t levels);
 /// The same mapping onto a chain: 0 when open, lodCount - 1 when covered. @pre lodCount >= 1
 std::uint32_t linearLod(float lv, std::uint32_t lodCount);
 
-/// How much a hidden object's budget grows: (1 - hiddenShare(lv))^(-1/3), at most 1 + relax (docs/lod_selection.md).
+/// How much a hidden object's budget grows: (1 - hiddenShare(lv))^(-1/4), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax);
 
 /// LV of an object of which `visible` pixels showed, in a rectangle of `area` pixels: 1 - 2 s with the visible share
@@ -51,8 +51,10 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 /// Fills lod and tessellation under the view's rule; kLodFinest leaves them. With view.calm, what was drawn in the last
 /// frame (kMarkKnown) goes on from there: it keeps its level within kHysteresis, changes it by one, and fades.
 /// @param patchError  errorObject of the patch base   @param last  the object in the last frame
+/// @param seen  whether a pixel of the last frame showed the object, or nobody knows: what is unseen need not fade
 /// @param marks  gets kMarkSwitched and the frames of the fade
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
-                  const gpu::ScreenBox& box, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks);
+                  const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
+                  gpu::uint& marks);
 
 }  // namespace jalousie::visibility

@@ -135,7 +135,7 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
   const bool followsLv = view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError;
   if (early || counted || !followsLv) return;
   chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
-               scene.lods[chain.patchLod].errorObject, box, last, state, marks);
+               scene.lods[chain.patchLod].errorObject, box, true, last, state, marks);
 }
 
 }  // namespace jalousie::visibility

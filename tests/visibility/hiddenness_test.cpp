@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/random.h"
+#include "visibility/item_buffer.h"
+#include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -92,6 +94,22 @@ TEST(Hiddenness, FinerHolesAreNeverLessHiddenExceptToTheThesis) {
   }
   // One large hole in the middle counts as more hidden than 64 pinholes: what the thesis' measure gets wrong.
   EXPECT_GT(hiddenOf(gpu::kLvThesis, squareHoles(1, 4, 4)), hiddenOf(gpu::kLvThesis, squareHoles(8, 0, 0)));
+}
+
+TEST(Hiddenness, CountedPixelsCannotTellHowAnOpeningIsDivided) {
+  // The default's order holds with equality: at equal cover it is the same for every pattern and every shift of it.
+  std::vector<float> all;
+  for (const std::uint32_t holes : {1U, 2U, 4U, 8U}) {
+    for (std::uint32_t shift = 0; shift < kSide / holes; ++shift) {
+      std::vector<std::uint32_t> items;
+      for (const float open : squareHoles(holes, shift, (shift * 3) % kSide))
+        items.push_back(open > 0.0F ? 1 : 2);
+      all.push_back(pixelsLv(static_cast<float>(countPixels(items, 2)[0]), kSide * kSide));
+    }
+  }
+  for (const float lv : all)
+    EXPECT_EQ(lv, all.front());
+  EXPECT_GT(pixelsLv(63.0F, kSide * kSide), all.front()) << "a pixel less is more hidden";
 }
 
 TEST(Hiddenness, MirroringAndTransposingChangeNothing) {
