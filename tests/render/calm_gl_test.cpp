@@ -225,11 +225,11 @@ TEST_F(CalmGl, TheSameFramesGiveTheSameBytes) {
   FrameRenderer second(scene, kWidth, kHeight, {.fastPaths = false});
   FrameOptions options = countingOptions();
   options.calm = true;
-  options.tau = 0.1F;
   std::uint64_t fading = 0;
   for (int frame = 0; frame < 30; ++frame) {
     const scene::Camera camera =
-        moved(test::cameraBeforeWall(scene.boundsWorld), {0.0F, 0.0F, -0.12F * static_cast<float>(frame)});
+        moved(test::cameraBeforeWall(scene.boundsWorld), {0.0F, 0.0F, -0.1F * static_cast<float>(frame)});
+    options.tau = 0.3F / (1.0F + static_cast<float>(frame));
     first.render(options, camera, camera);
     second.render(options, camera, camera);
     ASSERT_EQ(first.readImage().pixels, second.readImage().pixels) << "frame " << frame;
