@@ -72,7 +72,7 @@ void report(const Arguments& arguments, const test::Journey& journey, nlohmann::
         "|\n|---|---|---|---|---|\n",
         journey.name.c_str(), arguments.width, arguments.height, arguments.frames);
   for (const Mode& mode : kModes) {
-    render::FrameOptions options;
+    render::FrameOptions options = test::pixelErrorOptions();
     options.cullMode = mode.cullMode;
     options.cullThreshold = mode.cullThreshold;
     const test::CullingLoss loss =

@@ -12,9 +12,11 @@ uint tessellationLevel(float lv, uint levels) {
 /// The same mapping onto a chain: LOD 0 when open, the coarsest when covered.
 uint linearLod(float lv, uint lodCount) { return lodCount - tessellationLevel(lv, lodCount); }
 
+float visibleShare(float lv) { return max(1.0 - hiddenShare(lv), kLeastShare); }
+
 /// How much a hidden object's budget grows: (visible share)^(-1/4), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax) {
-  float share = max(1.0 - hiddenShare(lv), kLeastShare);
+  float share = visibleShare(lv);
   return min(inversesqrt(sqrt(share)), 1.0 + relax);
 }
 
@@ -42,6 +44,25 @@ uint pixelErrorLod(Chain chain, float pixelsPerUnit, float tau) {
   return 0u;
 }
 
+/// Level between the ones that tau and tau * relaxed allow: the least sum of the error's weight and the triangles, as
+/// shares of what tau allows (docs/lod_selection.md). A coarser level that saves little is not worth its error.
+uint relaxedLod(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share) {
+  uint best = pixelErrorLod(chain, pixelsPerUnit, tau);
+  uint coarsest = pixelErrorLod(chain, pixelsPerUnit, tau * relaxed);
+  float triangles = float(max(lods[chain.firstLod + best].triangleCount, 1u));
+  float leastCost = 0.0;
+  for (uint level = best; level <= coarsest; ++level) {
+    Lod lod = lods[chain.firstLod + level];
+    float error = lod.errorObject * pixelsPerUnit / max(tau, kLeastShare);
+    float cost = share * error * error + float(lod.triangleCount) / triangles;
+    if (leastCost == 0.0 || cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
 /// Lowest tessellation level whose flat pieces stay within tau of the curved surface: the gap of a quadratic patch
 /// falls with the square of the level.
 uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
@@ -61,9 +82,10 @@ uint stepTowards(uint last, uint lowest, uint highest) {
 
 /// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade. What no
 /// pixel shows need not fade.
-void followBudget(Chain chain, float pixelsPerUnit, float budget, bool seen, ObjectState last, inout ObjectState state,
+void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
   float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
+  float budget = tau * relaxed;
   state.tessellation =
       stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * kHysteresis, cullView.maxTessellation),
                   pixelErrorTessellation(patchPixels, budget / kHysteresis, cullView.maxTessellation));
@@ -73,8 +95,8 @@ void followBudget(Chain chain, float pixelsPerUnit, float budget, bool seen, Obj
     return;
   }
   mark &= ~kMarkFadeMask;
-  uint finest = pixelErrorLod(chain, pixelsPerUnit, budget / kHysteresis);
-  uint coarsest = pixelErrorLod(chain, pixelsPerUnit, budget * kHysteresis);
+  uint finest = relaxedLod(chain, pixelsPerUnit, tau / kHysteresis, relaxed, share);
+  uint coarsest = max(finest, relaxedLod(chain, pixelsPerUnit, tau * kHysteresis, relaxed, share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : clamp(last.lod, finest, coarsest);
   if (seen && state.lod != last.lod && cullView.detail == kDetailDiscrete)
     mark |= (kFadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
@@ -89,12 +111,13 @@ void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, Object
     state.lod = linearLod(state.lv, chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
   } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
-    float budget = cullView.lodRule == kLodLvError ? tau * relaxedBudget(state.lv, cullView.relax) : tau;
+    float relaxed = cullView.lodRule == kLodLvError ? relaxedBudget(state.lv, cullView.relax) : 1.0;
+    float share = visibleShare(state.lv);
     if (cullView.calm != 0u && known) {
-      followBudget(chain, pixelsPerUnit, budget, seen, last, state, mark);
+      followBudget(chain, pixelsPerUnit, tau, relaxed, share, seen, last, state, mark);
     } else {
-      state.lod = pixelErrorLod(chain, pixelsPerUnit, budget);
-      state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, budget,
+      state.lod = relaxedLod(chain, pixelsPerUnit, tau, relaxed, share);
+      state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau * relaxed,
                                                   cullView.maxTessellation);
     }
   }

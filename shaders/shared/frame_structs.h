@@ -126,8 +126,9 @@ const uint kMarkTested = 16u;   // two phases: was in view and tested, so that k
 const uint kMarkKnown = 32u;    // was drawn in the last frame too: its level and count are there to go on from
 const uint kMarkSwitched = 64u; // drawn at another level than in the last frame
 const uint kMarkFromCoarser = 128u;  // the level that fades out is the next coarser one, else the next finer
-const uint kMarkFadeShift = 8u;      // above it, frames that the cross-fade still takes, this one included; 0: none
-const uint kMarkFadeMask = 0xff80u;  // kMarkFromCoarser and the frames
+const uint kMarkCounted = 256u;      // was drawn in the last frame whose pixels were counted, and ever since
+const uint kMarkFadeShift = 9u;      // above it, frames that the cross-fade still takes, this one included; 0: none
+const uint kMarkFadeMask = 0xfe80u;  // kMarkFromCoarser and the frames
 
 // An entry of an instance list: an object, and whether it is the level that comes or the one that goes.
 const uint kInstanceFadingIn = 0x40000000u;

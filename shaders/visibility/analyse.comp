@@ -125,7 +125,7 @@ void main() {
   ObjectState state = last;
   uint mark = marks[id];
   bool known = (mark & kMarkKnown) != 0u;
-  bool counted = cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u && known;
+  bool counted = (mark & kMarkCounted) != 0u;
   bool hidden = range.x >= cullView.cullThreshold;
   bool open = !hidden && range.y <= 0.0;
   float lv = hidden ? 1.0 : -1.0;

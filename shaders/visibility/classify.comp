@@ -16,7 +16,7 @@
 #include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
-/// Pixels that showed each object in the last frame (kLvPixels).
+/// Pixels that showed each object when they were last counted (kLvPixels).
 layout(std430, binding = kBindingPixelCounts) readonly buffer PixelCountBlock { uint pixelCounts[]; };
 
 bool selectsOccluders() { return cullView.cullMode == kCullHom || cullView.cullMode == kCullHomDepth; }
@@ -60,12 +60,16 @@ bool followsBlock() {
   return (cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError) && cullView.lvMeasure != kLvPixels;
 }
 
-bool isCounted() { return cullView.lvMeasure == kLvPixels && cullView.countsValid != 0u; }
+/// Whether pixelCounts say something about an object: not if it came into the picture after they were made.
+bool isCounted(uint lastMarks) {
+  bool drawn = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
+  return cullView.lvMeasure == kLvPixels && drawn && (cullView.countsValid != 0u || (lastMarks & kMarkCounted) != 0u);
+}
 
 /// What is known of an object's visibility before this frame's test.
-float lvBeforeTest(uint id, bool known, bool measuredLater, vec4 rect, ObjectState last) {
+float lvBeforeTest(uint id, bool known, bool counted, bool measuredLater, vec4 rect, ObjectState last) {
   if (!known) return -1.0;
-  if (isCounted()) {
+  if (counted) {
     vec2 size = rect.zw - rect.xy;
     float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
     return cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
@@ -93,15 +97,16 @@ void main() {
   uint lastMarks = marks[id];
   ObjectState last = states[id];
   bool known = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
+  bool counted = isCounted(lastMarks);
   uint mark = phasesOf(verdict, isExpectedVisible(lastMarks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
-              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u);
+              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u) | (counted ? kMarkCounted : 0u);
   bool measuredLater = verdict == kVerdictPending && cullView.cullMode >= kCullHom;
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation,
-                                  lvBeforeTest(id, known, measuredLater, hasRect ? rect : wholeScreen(), last));
+                                  lvBeforeTest(id, known, counted, measuredLater, hasRect ? rect : wholeScreen(), last));
   if (measuredLater && known && selectsOccluders() && followsBlock()) {
     state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
   } else {
-    bool seen = !isCounted() || pixelCounts[id] > 0u;
+    bool seen = !counted || pixelCounts[id] > 0u;
     chooseDetail(chain, pixelsPerUnit, tau, seen, last, state, mark);
   }
   marks[id] = mark;

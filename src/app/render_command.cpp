@@ -54,31 +54,31 @@ std::uint32_t warmUpFrames(const RenderOptions& options) {
   return (options.mode == "hiz" || options.lv == "pixels" ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
 }
 
-/// Renders options.repeat frames after the warm-up and takes medians per pass.
+/// Renders options.repeat frames after the warm-up and takes medians per pass, scaled by how often it ran.
 FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& renderer, const scene::Camera& cull,
                         const scene::Camera& draw) {
   const std::uint32_t warmUps = warmUpFrames(options);
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> samples;
-  std::vector<double> frames;
   renderer.timer().setEnabled(true);
   Progress progress("rendering", options.repeat + warmUps, options.quiet);
   for (std::uint32_t i = 0; i < options.repeat + warmUps; ++i) {
     progress.update(i);
     renderer.render(options.frameOptions, cull, draw);
     if (i < warmUps) continue;
-    double sum = 0.0;
     for (const gl::PassTime& pass : renderer.timer().passes()) {
-      if (i == warmUps) order.emplace_back(pass.name);
-      samples[std::string(pass.name)].push_back(pass.wallMs);
-      sum += pass.wallMs;
+      std::vector<double>& times = samples[std::string(pass.name)];
+      if (times.empty()) order.emplace_back(pass.name);
+      times.push_back(pass.wallMs);
     }
-    frames.push_back(sum);
   }
   FrameTimes times;
-  for (const std::string& name : order)
-    times.passes.emplace_back(name, median(samples[name]));
-  times.frameMs = median(frames);
+  for (const std::string& name : order) {
+    // Some passes do not run in every frame.
+    const double share = static_cast<double>(samples[name].size()) / options.repeat;
+    times.passes.emplace_back(name, share * median(samples[name]));
+    times.frameMs += times.passes.back().second;
+  }
   return times;
 }
 

@@ -29,8 +29,9 @@ struct RenderOptions {
   std::uint32_t height = 720;
   std::filesystem::path importance;  ///< mask image; empty: none
   std::string mode = "hiz";
-  std::string lod = "pixel-error";
-  std::string lv;  ///< finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
+  std::string lod = "lv-error";
+  std::string
+      lv;  ///< finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
   bool relaxGiven = false;
   std::string detail = "discrete";
   std::string view = "shaded";

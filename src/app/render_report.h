@@ -12,8 +12,8 @@ namespace jalousie::app {
 
 /// Names and milliseconds of the passes, in frame order.
 struct FrameTimes {
-  std::vector<std::pair<std::string, double>> passes;  ///< median over the repeats, wall time
-  double frameMs = 0.0;                                ///< median of the passes' sum
+  std::vector<std::pair<std::string, double>> passes;  ///< median over the repeats, times the share of frames it ran in
+  double frameMs = 0.0;                                ///< their sum
 };
 
 struct RenderReport {

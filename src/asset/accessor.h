@@ -12,8 +12,8 @@
 namespace jalousie::asset {
 
 // Readers. Any component type that glTF 2.0 or KHR_mesh_quantization allows; normalised integers become floats; sparse
-// blocks are applied; accessors without a view are zeros. Every address is checked against the buffer before it is read.
-// Errors: kMalformed (range, type), kLimit (more than maxElements elements).
+// blocks are applied; accessors without a view are zeros. Every address is checked against the buffer before it is
+// read. Errors: kMalformed (range, type), kLimit (more than maxElements elements).
 
 std::vector<float> readScalars(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
 std::vector<glm::vec2> readVec2(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);

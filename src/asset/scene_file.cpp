@@ -1,8 +1,8 @@
 // Flattening of a glTF document: one pass over the node hierarchy, meshes and chains made where they are first used.
 #include "asset/scene_file.h"
 
-#include <limits>
 #include <fmt/format.h>
+#include <limits>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -155,8 +155,7 @@ class SceneReader {
       LodLevel level{*index, 0.0F};
       if (!chain.levels.empty()) {
         const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(mesh)]);
-        level.errorObject =
-            info ? static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
+        level.errorObject = info ? static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
       }
       chain.levels.push_back(level);
     }

@@ -116,7 +116,9 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.lvMeasure = options.lvMeasure;
   cullView_.relax = options.relax;
   cullView_.calm = options.calm ? 1 : 0;
-  counting_ = cullView_.analyse != 0 && options.lvMeasure == gpu::kLvPixels;
+  const bool wantsCounts = cullView_.analyse != 0 && options.lvMeasure == gpu::kLvPixels;
+  counting_ = wantsCounts && countAge_ + 1 >= kCountInterval;
+  countAge_ = counting_ ? 0 : wantsCounts ? countAge_ + 1 : kCountInterval;
   visibility_.setView(cullView_);
 
   drawView_.clipFromWorld = scene::clipFromWorld(drawCamera, aspect);

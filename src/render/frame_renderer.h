@@ -23,17 +23,20 @@ namespace jalousie::render {
 /// Error that the levels in the occlusion map of kCullHomDepth may have, pixels (docs/occlusion_map.md).
 inline constexpr float kDefaultOccluderTau = 0.5F;
 
+/// Pixels are counted in one frame of so many: a count serves until the next (docs/level_of_visibility.md).
+inline constexpr std::uint32_t kCountInterval = 4;
+
 /// What to draw and how to decide it, frame by frame. Values are those of shared/frame_structs.h.
 struct FrameOptions {
   gpu::uint cullMode = gpu::kCullHiz;
-  gpu::uint lodRule = gpu::kLodPixelError;
+  gpu::uint lodRule = gpu::kLodLvError;
   gpu::uint detail = gpu::kDetailDiscrete;
   gpu::uint view = gpu::kViewShaded;
-  float tau = 1.0F;  ///< error that kLodPixelError allows, pixels
-  gpu::uint lvMeasure = gpu::kLvThesis;
+  float tau = 1.0F;  ///< error allowed on the screen, pixels; what is hidden may have more (kLodLvError)
+  gpu::uint lvMeasure = gpu::kLvPixels;
   float relax = 64.0F;  ///< kLodLvError: tau grows to at most tau * (1 + relax)
   /// For what moves: levels keep within a margin of the budget, change one at a time and are cross-faded, and LV is
-  /// smoothed. Off, levels follow from the frame (and with kLvPixels from the last one's pixels) alone: for captures.
+  /// smoothed. Off, levels follow from the frame (and with kLvPixels from the last count) alone: for captures.
   bool calm = false;
   /// Objects whose rectangle covers fewer pixels are not drawn; 0: all are.
   float minPixels = 0.0F;
@@ -81,7 +84,10 @@ class FrameRenderer {
   /// gpu::Transform [objectCount], for applications that write it on the GPU.
   gl::Buffer& transforms() { return buffers_.transforms(); }
   /// Forgets what was visible: the next frame decides as if it were the first.
-  void resetHistory() { visibility_.resetHistory(); }
+  void resetHistory() {
+    visibility_.resetHistory();
+    countAge_ = kCountInterval;
+  }
 
   /// The newest figures that have arrived, at the latest two frames late on a GPU that keeps up. Never waits.
   std::optional<FrameStatistics> latestStatistics();
@@ -144,7 +150,8 @@ class FrameRenderer {
   gl::PassTimer timer_;
   gpu::CullView cullView_{};
   gpu::DrawView drawView_{};
-  bool counting_ = false;  ///< this frame's pixels are counted for the next one's LV
+  bool counting_ = false;                    ///< this frame's pixels are counted
+  std::uint32_t countAge_ = kCountInterval;  ///< frames since they last were
 };
 
 }  // namespace jalousie::render

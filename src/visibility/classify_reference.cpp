@@ -46,10 +46,10 @@ bool followsBlock(const gpu::CullView& view) {
   return (view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError) && view.lvMeasure != gpu::kLvPixels;
 }
 
-float lvBeforeTest(const gpu::CullView& view, bool known, bool measuredLater, const glm::vec4& rect,
+float lvBeforeTest(const gpu::CullView& view, bool known, bool counted, bool measuredLater, const glm::vec4& rect,
                    const LastFrame& last) {
   if (!known) return -1.0F;
-  if (view.lvMeasure == gpu::kLvPixels && view.countsValid != 0) {
+  if (counted) {
     const float lv = pixelsLv(static_cast<float>(last.pixels), (rect.z - rect.x) * (rect.w - rect.y));
     return view.calm != 0 ? smoothLv(last.state.lv, lv) : lv;
   }
@@ -163,18 +163,20 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0.0F};
   const gpu::uint verdict = classify(box, view, weight);
   const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
+  const bool counted =
+      view.lvMeasure == gpu::kLvPixels && known && (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
   result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.cullMode) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
-                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0);
+                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0) | (counted ? gpu::kMarkCounted : 0);
   const bool measuredLater = verdict == gpu::kVerdictPending && view.cullMode >= gpu::kCullHom;
   const glm::vec4 shown = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
-  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, measuredLater, shown, last)};
+  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, counted, measuredLater, shown, last)};
   if (measuredLater && known && selectsOccluders(view.cullMode) && followsBlock(view)) {
     result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
     return result;
   }
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  const bool seen = view.lvMeasure != gpu::kLvPixels || view.countsValid == 0 || last.pixels > 0;
+  const bool seen = !counted || last.pixels > 0;
   chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, seen, last.state, result.state,
                result.marks);
   return result;

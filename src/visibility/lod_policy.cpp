@@ -22,8 +22,12 @@ std::uint32_t linearLod(float lv, std::uint32_t lodCount) {
   return lodCount - tessellationLevel(lv, lodCount);
 }
 
+float visibleShare(float lv) {
+  return std::max(1.0F - hiddenShare(lv), gpu::kLeastShare);
+}
+
 float relaxedBudget(float lv, float relax) {
-  const float share = std::max(1.0F - hiddenShare(lv), gpu::kLeastShare);
+  const float share = visibleShare(lv);
   return std::min(1.0F / std::sqrt(std::sqrt(share)), 1.0F + relax);
 }
 
@@ -47,6 +51,22 @@ std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUni
   return 0;
 }
 
+std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau, float relaxed, float share) {
+  std::uint32_t best = pixelErrorLod(levels, pixelsPerUnit, tau);
+  const std::uint32_t coarsest = pixelErrorLod(levels, pixelsPerUnit, tau * relaxed);
+  const auto triangles = static_cast<float>(std::max(levels[best].triangleCount, 1U));
+  float leastCost = 0.0F;
+  for (std::uint32_t level = best; level <= coarsest; ++level) {
+    const float error = levels[level].errorObject * pixelsPerUnit / std::max(tau, gpu::kLeastShare);
+    const float cost = share * error * error + static_cast<float>(levels[level].triangleCount) / triangles;
+    if (leastCost == 0.0F || cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
 std::uint32_t pixelErrorTessellation(float errorPixels, float tau, std::uint32_t maxLevel) {
   if (errorPixels <= tau) return 1;
   return static_cast<std::uint32_t>(
@@ -67,19 +87,27 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 
 namespace {
 
+struct Budget {
+  float tau, relaxed, share;
+};
+
 void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchPixels, float pixelsPerUnit,
-                  float budget, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state, gpu::uint& marks) {
-  state.tessellation = stepTowards(
-      last.tessellation, pixelErrorTessellation(patchPixels, budget * gpu::kHysteresis, view.maxTessellation),
-      pixelErrorTessellation(patchPixels, budget / gpu::kHysteresis, view.maxTessellation));
+                  const Budget& budget, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
+                  gpu::uint& marks) {
+  const float whole = budget.tau * budget.relaxed;
+  state.tessellation = stepTowards(last.tessellation,
+                                   pixelErrorTessellation(patchPixels, whole * gpu::kHysteresis, view.maxTessellation),
+                                   pixelErrorTessellation(patchPixels, whole / gpu::kHysteresis, view.maxTessellation));
   state.lod = last.lod;
   if (seen && fadeFrames(marks) > 1) {
     marks -= 1U << gpu::kMarkFadeShift;
     return;
   }
   marks &= ~gpu::kMarkFadeMask;
-  const std::uint32_t finest = pixelErrorLod(levels, pixelsPerUnit, budget / gpu::kHysteresis);
-  const std::uint32_t coarsest = pixelErrorLod(levels, pixelsPerUnit, budget * gpu::kHysteresis);
+  const std::uint32_t finest =
+      relaxedLod(levels, pixelsPerUnit, budget.tau / gpu::kHysteresis, budget.relaxed, budget.share);
+  const std::uint32_t coarsest =
+      std::max(finest, relaxedLod(levels, pixelsPerUnit, budget.tau * gpu::kHysteresis, budget.relaxed, budget.share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : std::clamp(last.lod, finest, coarsest);
   if (seen && state.lod != last.lod && view.detail == gpu::kDetailDiscrete)
     marks |= (gpu::kFadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
@@ -95,13 +123,14 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
   } else if (view.lodRule == gpu::kLodPixelError || view.lodRule == gpu::kLodLvError) {
-    const float budget = view.lodRule == gpu::kLodLvError ? box.tau * relaxedBudget(state.lv, view.relax) : box.tau;
+    const float relaxed = view.lodRule == gpu::kLodLvError ? relaxedBudget(state.lv, view.relax) : 1.0F;
+    const float share = visibleShare(state.lv);
     const float patchPixels = patchError * box.pixelsPerUnit;
     if (view.calm != 0 && known) {
-      followBudget(view, levels, patchPixels, box.pixelsPerUnit, budget, seen, last, state, marks);
+      followBudget(view, levels, patchPixels, box.pixelsPerUnit, {box.tau, relaxed, share}, seen, last, state, marks);
     } else {
-      state.lod = pixelErrorLod(levels, box.pixelsPerUnit, budget);
-      state.tessellation = pixelErrorTessellation(patchPixels, budget, view.maxTessellation);
+      state.lod = relaxedLod(levels, box.pixelsPerUnit, box.tau, relaxed, share);
+      state.tessellation = pixelErrorTessellation(patchPixels, box.tau * relaxed, view.maxTessellation);
     }
   }
   const bool same =

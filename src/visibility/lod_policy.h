@@ -19,6 +19,9 @@ std::uint32_t tessellationLevel(float lv, std::uint32_t levels);
 /// The same mapping onto a chain: 0 when open, lodCount - 1 when covered. @pre lodCount >= 1
 std::uint32_t linearLod(float lv, std::uint32_t lodCount);
 
+/// 1 - hiddenShare(lv), at least kLeastShare.
+float visibleShare(float lv);
+
 /// How much a hidden object's budget grows: (1 - hiddenShare(lv))^(-1/4), at most 1 + relax (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax);
 
@@ -35,6 +38,10 @@ float projectedScale(float scale, float focalPixels, float distance, float radiu
 
 /// Coarsest level with errorObject * pixelsPerUnit <= tau; 0 if none. A level of unknown (infinite) error is never it.
 std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau);
+
+/// Level between the ones that tau and tau * relaxed allow: the one with the least share * (error / tau)^2 + triangles
+/// / (triangles at tau). A coarser level that saves little is not worth its error. @param share  visible, (0, 1]
+std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau, float relaxed, float share);
 
 /// Lowest level in [1, maxLevel] whose flat pieces stay within tau of the curved surface: errorPixels / level^2 <= tau.
 /// @param errorPixels  projected gap between the untessellated base and its curved surface

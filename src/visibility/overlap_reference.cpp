@@ -115,15 +115,11 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float
           blockLv(*lvMeasure, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
 }
 
-bool isCounted(const gpu::CullView& view, gpu::uint marks) {
-  return view.lvMeasure == gpu::kLvPixels && view.countsValid != 0 && (marks & gpu::kMarkKnown) != 0;
-}
-
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
                   const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks) {
   const bool early = (marks & gpu::kMarkEarly) != 0;
   const bool hidden = result.verdict == gpu::kVerdictOccluded;
-  const bool counted = isCounted(view, marks);
+  const bool counted = (marks & gpu::kMarkCounted) != 0;
   const gpu::ObjectState last = state;
   if (!counted) state.lv = (marks & gpu::kMarkKnown) != 0 && view.calm != 0 ? smoothLv(last.lv, result.lv) : result.lv;
   state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;

@@ -67,11 +67,8 @@ struct OverlapResult {
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F,
                           std::optional<gpu::uint> lvMeasure = gpu::kLvThesis);
 
-/// Whether an object's LV is counted, not measured here: its pixels in the last frame are known.
-bool isCounted(const gpu::CullView& view, gpu::uint marks);
-
-/// What the kernel makes of a pending object: verdict, lv, phase, and where the rule follows LV the detail of what is
-/// drawn late. @pre state.verdict is kVerdictPending; view.analyse is 1
+/// What the kernel makes of a pending object (with kMarkCounted, its LV stays as it is): verdict, lv, phase, and where
+/// the rule follows LV the detail of what is drawn late. @pre state.verdict is kVerdictPending; view.analyse is 1
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
                   const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks);
 

@@ -45,7 +45,7 @@ class VisibilityPass {
   void classify(const SceneBindings& scene);
   /// Overlap test and LV of the objects that classify left pending. Leaves a STORAGE barrier.
   void analyse(const SceneBindings& scene, gpu::uint cullMode, const CoverTextures& cover);
-  /// Counts the pixels that show each object, for the next frame's LV (kLvPixels). Call after the frame is drawn.
+  /// Counts the pixels that show each object, for the LV of the next frames (kLvPixels). Call after the frame is drawn.
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
   void countPixels(const gl::Texture& items);
   /// Forgets what was visible in the last frame.
@@ -61,8 +61,8 @@ class VisibilityPass {
   gl::Buffer& statesForTest() { return states_; }
   gl::Buffer& boxesForTest() { return boxes_; }
   gl::Buffer& marksForTest() { return marks_; }
-  gl::Buffer& pixelCountsForTest() {
-    countsValid_ = true;
+  gl::Buffer& pixelCountsForTest(bool countsValid) {
+    countsValid_ = countsValid;
     return pixelCounts_;
   }
 
@@ -81,7 +81,7 @@ class VisibilityPass {
   gl::Buffer boxes_;
   gl::Buffer marks_;
   gl::Buffer pixelCounts_;
-  bool countsValid_ = false;  ///< pixelCounts_ holds the last frame's
+  bool countsValid_ = false;  ///< pixelCounts_ was made in the last frame
   std::optional<gl::Texture> importance_;
   gpu::uint importanceWidth_ = 0;
   gpu::uint importanceHeight_ = 0;

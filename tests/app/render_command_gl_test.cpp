@@ -105,7 +105,8 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
   EXPECT_EQ(stats["objects"], 9);
   EXPECT_EQ(stats["drawn"], 9);
   EXPECT_EQ(stats["triangles_full"], 9 * 2 * 16 * 7);
-  EXPECT_EQ(stats["lod"], "pixel-error");
+  EXPECT_EQ(stats["lod"], "lv-error");
+  EXPECT_EQ(stats["lv"], "pixels");
   EXPECT_EQ(stats["tau"], 1.0);
 }
 
@@ -142,11 +143,14 @@ TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
 }
 
 TEST_F(RenderCommand, StatsOnlyPrintsPureJson) {
-  const ProgramResult result = jalousie({"render", scene(), "--stats-only", "--json", "-"});
+  const ProgramResult result = jalousie({"render", scene(), "--stats-only", "--repeat", "8", "--json", "-"});
   ASSERT_EQ(result.exitCode, 0) << result.standardError;
   const nlohmann::json stats = nlohmann::json::parse(result.standardOutput);
-  EXPECT_FALSE(stats["passes"].contains("draw"));
+  const ProgramResult uniform =
+      jalousie({"render", scene(), "--mode", "frustum", "--lod", "pixel-error", "--stats-only", "--json", "-"});
+  EXPECT_FALSE(nlohmann::json::parse(uniform.standardOutput)["passes"].contains("draw"));
   EXPECT_EQ(stats["mode"], "hiz");
+  EXPECT_TRUE(stats["passes"].contains("count pixels")) << "the default counts, and draws what it counts";
 }
 
 TEST_F(RenderCommand, EveryPathGivesTheSamePicture) {
@@ -215,12 +219,12 @@ TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
       {"--mode", "full", "--min-pixels", "3"},
       {"--lod", "finest", "--tau", "3"},
       {"--tau", "-1"},
-      {"--relax", "3"},
-      {"--lv", "chord"},
+      {"--lod", "pixel-error", "--relax", "3"},
+      {"--lod", "pixel-error", "--lv", "chord"},
       {"--lod", "lv-error", "--lv", "chord", "--mode", "frustum"},
       {"--calm", "--lod", "finest"},
       {"--lod", "lv-error", "--relax", "-1"},
-      {"--mode", "hom", "--settle", "1"},
+      {"--mode", "hom", "--lod", "pixel-error", "--settle", "1"},
       {"--capacity", "0"},
       {"--draws", "magic"},
       {"--eye", "0,0,5"},

@@ -22,7 +22,7 @@ class CullingGl : public test::GlTest {
 
   /// Nothing visible is lost and every depth is right. @return the loss, for more expectations
   static test::CullingLoss expectLossless(const test::Journey& journey, std::uint32_t width, std::uint32_t height,
-                                          std::uint32_t frames, FrameOptions options = {}) {
+                                          std::uint32_t frames, FrameOptions options = test::pixelErrorOptions()) {
     const test::CullingLoss loss = test::countLoss(journey, width, height, options, 0, frames);
     EXPECT_EQ(loss.wrongPixels, 0U) << journey.name << " " << width << "x" << height;
     EXPECT_EQ(loss.differentDepths, 0U) << journey.name << " " << width << "x" << height;
@@ -77,7 +77,7 @@ TEST_F(CullingGl, TessellatedSurfacesBeyondTheirFlatBase) {
                       glm::vec3(random.uniform(0.1F, 0.8F)));
   test::Journey j{"tessellated", scene::buildScene(file, {.patches = true}), {}, {}};
   j.camera = test::tour(j.scene, 5, 3);
-  FrameOptions options;
+  FrameOptions options = test::pixelErrorOptions();
   options.detail = gpu::kDetailTessellation;
   options.tau = 0.5F;
   EXPECT_GT(expectLossless(j, 200, 113, 20, options).culled, 100U);
@@ -95,7 +95,7 @@ TEST_F(CullingGl, BlendedSurfacesNeverOcclude) {
   const scene::Camera camera = scene::lookAt({0, 0, 8}, {0, 0, 0}, scene.boundsWorld);
   FrameRenderer renderer(scene, 160, 90);
   for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
-    FrameOptions options;
+    FrameOptions options = test::pixelErrorOptions();
     options.cullMode = mode;
     options.occluderDistance = 5.5F;  // the pane is an occluder, the spheres are not
     for (int frame = 0; frame < 3; ++frame)
@@ -114,7 +114,7 @@ TEST_F(CullingGl, HolesOfMaskedSurfacesShowWhatIsBehindInEveryMode) {
   const scene::Camera camera = scene::lookAt({0, 0, 8}, {0, 0, 0}, scene.boundsWorld);
   for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
     FrameRenderer renderer(scene, 640, 360);
-    FrameOptions options;
+    FrameOptions options = test::pixelErrorOptions();
     options.cullMode = mode;
     options.occluderDistance = 6.0F;
     for (int frame = 0; frame < 3; ++frame)
@@ -212,7 +212,7 @@ TEST_F(CullingGl, FarFromTheOriginWhereRoundingIsLarge) {
 
 TEST_F(CullingGl, DepthAwareMapLosesNothingBehindAGroundPlaneWhereTheThesisMapDoes) {
   const test::Journey j = journey(test::groundPlane(250, 1), 6);
-  FrameOptions options;
+  FrameOptions options = test::pixelErrorOptions();
   options.cullMode = gpu::kCullHomDepth;
   for (const float occluderTau : {0.0F, kDefaultOccluderTau, 2.0F}) {  // the guard pays for coarser levels in the map
     options.occluderTau = occluderTau;
@@ -234,7 +234,7 @@ TEST_F(CullingGl, CoarserOccluderThatCoversMoreThanItsFinestLevelIsGuarded) {
   const scene::SceneData scene = scene::buildScene(file);
   FrameRenderer renderer(scene, 320, 180);
   const scene::Camera camera = scene::lookAt({0, 0, 6}, {0, 0, 0}, scene.boundsWorld);
-  FrameOptions options;
+  FrameOptions options = test::pixelErrorOptions();
   options.cullMode = gpu::kCullHomDepth;
   options.lodRule = gpu::kLodFinest;
   options.occluderDistance = 6.0F;

@@ -28,7 +28,8 @@ class CullingSlowGl : public test::GlTest {
 
   static void expectLossless(const test::Journey& journey) {
     for (const auto& [width, height] : kSizes) {
-      const test::CullingLoss loss = test::countLoss(journey, width, height, {}, 0, 4 * kFramesEach);
+      const test::CullingLoss loss =
+          test::countLoss(journey, width, height, test::pixelErrorOptions(), 0, 4 * kFramesEach);
       EXPECT_EQ(loss.wrongPixels, 0U) << journey.name << " " << width << "x" << height;
       EXPECT_EQ(loss.differentDepths, 0U) << journey.name << " " << width << "x" << height;
       EXPECT_GT(loss.culled, 0U) << journey.name << " " << width << "x" << height;
@@ -95,7 +96,7 @@ TEST_F(CullingSlowGl, TwoHundredJumbles) {
     Random random(seed);
     const std::uint32_t width = 1 + random.below(500);
     const std::uint32_t height = 1 + random.below(300);
-    const test::CullingLoss loss = test::countLoss(j, width, height, {}, 0, 4 * kFramesEach);
+    const test::CullingLoss loss = test::countLoss(j, width, height, test::pixelErrorOptions(), 0, 4 * kFramesEach);
     EXPECT_EQ(loss.wrongPixels, 0U) << name << " " << width << "x" << height;
     EXPECT_EQ(loss.differentDepths, 0U) << name << " " << width << "x" << height;
     culled += loss.culled;

@@ -26,6 +26,7 @@ FrameOptions homOptions() {
   FrameOptions options;
   options.cullMode = gpu::kCullHom;
   options.lodRule = gpu::kLodLinear;
+  options.lvMeasure = gpu::kLvThesis;
   options.occluderDistance = test::kWallOccluderDistance;
   return options;
 }
@@ -268,7 +269,7 @@ TEST_F(FrameRendererGl, TwoPhasePassesAreTimedByName) {
   for (const gl::PassTime& pass : renderer.timer().passes())
     names.emplace_back(pass.name);
   EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "early draw", "depth pyramid", "analyse",
-                                             "late list", "late draw", "count"}));
+                                             "late list", "late draw", "count pixels", "count"}));
 }
 
 TEST_F(FrameRendererGl, SubmissionsAndFastPathsGiveTheSameImageAndDepth) {
@@ -370,6 +371,7 @@ TEST_F(FrameRendererGl, PixelErrorSpendsLessWithALargerTau) {
   std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
   for (const float tau : {0.0F, 0.05F, 0.2F, 1.0F}) {
     FrameOptions options;
+    options.lodRule = gpu::kLodPixelError;
     options.cullMode = gpu::kCullFrustum;
     options.tau = tau;
     renderer.render(options, camera, camera);
@@ -384,6 +386,7 @@ TEST_F(FrameRendererGl, PixelErrorChoosesTessellationPerObject) {
   FrameRenderer renderer(scene, kWidth, kHeight);
   const scene::Camera camera = scene::lookAt({0, 0, 14}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options;
+  options.lodRule = gpu::kLodPixelError;
   options.detail = gpu::kDetailTessellation;
   options.cullMode = gpu::kCullFrustum;
   options.tau = 0.25F;
@@ -397,6 +400,7 @@ TEST_F(FrameRendererGl, ContributionAndImportanceLowerTheBudgetWhereAsked) {
   const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 5));
   const scene::Camera camera = scene::lookAt({0, 0, 20}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options;
+  options.lodRule = gpu::kLodPixelError;
   options.cullMode = gpu::kCullFrustum;
   options.tau = 0.1F;
   // Left half black, right half white.
@@ -430,6 +434,8 @@ void expectSettledFrameAgrees(const scene::SceneData& scene, const scene::Camera
   FrameRenderer renderer(scene, width, height);
   FrameOptions options;
   options.view = gpu::kViewLv;  // LV of every object
+  options.lodRule = gpu::kLodPixelError;
+  options.lvMeasure = gpu::kLvThesis;
   for (int frame = 0; frame < 4; ++frame)
     renderer.render(options, camera, camera);
   // Nothing is drawn late any more, so the final depth is what the pyramid was made of; blended surfaces come later.

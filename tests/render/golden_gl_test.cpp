@@ -15,6 +15,7 @@ class GoldenGl : public test::GlTest {
   static ImageRgba8 frame(FrameOptions options) {
     options.cullMode = gpu::kCullHom;
     options.lodRule = gpu::kLodLinear;
+    options.lvMeasure = gpu::kLvThesis;
     const scene::SceneData scene =
         scene::buildScene(test::spheresBehindWall(0.35F), {.patches = options.detail == gpu::kDetailTessellation});
     FrameRenderer renderer(scene, 320, 180);

@@ -149,6 +149,7 @@ TEST_F(TessellationGl, HiddenSpheresUseTheirCoarseLevels) {
   FrameOptions linear = options(20);
   linear.cullMode = gpu::kCullHom;
   linear.lodRule = gpu::kLodLinear;
+  linear.lvMeasure = gpu::kLvThesis;
   linear.occluderDistance = test::kWallOccluderDistance;
   linear.skipDraw = true;
   renderer.render(linear, camera, camera);

@@ -40,7 +40,8 @@ void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std
 
 CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t height,
                       const render::FrameOptions& options, std::uint32_t firstFrame, std::uint32_t frames) {
-  JAL_CHECK(options.lodRule != gpu::kLodLinear);
+  const bool followsLv = options.lodRule == gpu::kLodLinear || options.lodRule == gpu::kLodLvError;
+  JAL_CHECK(!followsLv);
   render::FrameRenderer renderer(journey.scene, width, height);
   render::FrameRenderer reference(journey.scene, width, height);
   render::FrameOptions everything = options;

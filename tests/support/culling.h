@@ -11,6 +11,13 @@
 
 namespace jalousie::test {
 
+/// Levels by projected error alone: what is compared must not depend on what was seen before.
+inline render::FrameOptions pixelErrorOptions() {
+  render::FrameOptions options;
+  options.lodRule = gpu::kLodPixelError;
+  return options;
+}
+
 /// A scene and what happens in it. Frames are counted from 0.
 struct Journey {
   std::string name;
@@ -33,7 +40,7 @@ struct CullingLoss {
 
 /// Renders `frames` frames from `firstFrame` on at one size, with history from frame to frame, and each one again
 /// without any culling. The levels of detail are the same in both: finest or by pixel error.
-/// @pre options.lodRule is not kLodLinear (checked)
+/// @pre options.lodRule is kLodFinest or kLodPixelError (checked)
 CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t height,
                       const render::FrameOptions& options, std::uint32_t firstFrame, std::uint32_t frames);
 

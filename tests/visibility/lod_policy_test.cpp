@@ -51,6 +51,7 @@ std::vector<gpu::Lod> levelsWithErrors(std::initializer_list<float> errors) {
   for (const float error : errors) {
     levels.emplace_back();
     levels.back().errorObject = error;
+    levels.back().triangleCount = 1U << (20 - levels.size());
   }
   return levels;
 }
@@ -120,6 +121,19 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
   EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
+}
+
+TEST(LvError, ACoarserLevelMustSaveWhatItsErrorCosts) {
+  auto levels = levelsWithErrors({0.0F, 1.0F, 2.0F, 4.0F});
+  const std::uint32_t triangles[] = {8000, 4000, 2000, 1900};
+  for (std::size_t k = 0; k < 4; ++k)
+    levels[k].triangleCount = triangles[k];
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 1.0F, 1.0F, 1.0F), 1U) << "not relaxed: the projected error";
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 1.0F, 10.0F, 1.0F), 1U) << "in full sight 3 more of error buy 0.5 of triangles";
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 1.0F, 10.0F, 0.1F), 2U) << "0.3 buy 0.5; then 1.2 buy 0.025";
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 1.0F, 10.0F, 1e-4F), 3U);
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 1.0F, 2.5F, 1e-4F), 2U) << "never above the relaxed budget";
+  EXPECT_EQ(relaxedLod(levels, 1.0F, 0.0F, 10.0F, 0.1F), 0U);
 }
 
 /// One object whose budget an outside force changes from frame to frame.

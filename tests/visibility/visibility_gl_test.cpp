@@ -91,7 +91,7 @@ void expectSameBox(const gpu::ScreenBox& actual, const gpu::ScreenBox& expected)
 /// Runs the classify kernel, on a history of visible and hidden objects, and compares everything it writes with the
 /// twin.
 void compareClassification(const SceneData& scene, const gpu::CullView& view,
-                           const ImportanceMask* importance = nullptr) {
+                           const ImportanceMask* importance = nullptr, bool countsValid = true) {
   const render::SceneBuffers buffers(scene);
   VisibilityPass pass(buffers.objectCount(), importance);
   std::vector<LastFrame> last(scene.objects.size());
@@ -103,6 +103,7 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
     constexpr gpu::uint kHistories[] = {0, gpu::kMarkTested, gpu::kMarkTested | gpu::kMarkVisible, gpu::kMarkVisible};
     last[i].marks = kHistories[random.below(4)];
     if (random.below(2) == 0) last[i].marks |= random.below(2) == 0 ? gpu::kMarkEarly : gpu::kMarkLate;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkCounted;
     const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kFadeFrames + 1) : 0;
     const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
     if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
@@ -118,9 +119,9 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
   }
   pass.statesForTest().write(0, std::as_bytes(std::span(lastStates)));
   pass.marksForTest().write(0, std::as_bytes(std::span(lastMarks)));
-  pass.pixelCountsForTest().write(0, std::as_bytes(std::span(lastPixels)));
+  pass.pixelCountsForTest(countsValid).write(0, std::as_bytes(std::span(lastPixels)));
   gpu::CullView counted = view;
-  counted.countsValid = 1;
+  counted.countsValid = countsValid ? 1 : 0;
   pass.setView(counted);
   pass.classify(buffers.bindings());
   const auto states = pass.states().read<gpu::ObjectState>(scene.objects.size());
@@ -214,6 +215,7 @@ TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
           view.detail = detail;
           view.calm = calm;
           compareClassification(scene, view);
+          compareClassification(scene, view, nullptr, false);
         }
       }
     }
@@ -386,15 +388,14 @@ class AnalyseGl : public test::GlTest {
         view.calm = calm;
         view.lodRule = calm != 0 ? gpu::kLodLvError : gpu::kLodLinear;
         view.relax = 64.0F;
-        view.countsValid = 1;
-        pass.pixelCountsForTest();  // the last frame was counted
         pass.setView(view);
         std::vector<gpu::ObjectState> states(kCount, {gpu::kVerdictPending, 3, 20, -0.5F});
         std::vector<gpu::uint> marks(kCount);
         for (std::size_t i = 0; i < kCount; i += 3)
           marks[i] = mode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
         for (std::size_t i = 0; i < kCount; i += 5)
-          marks[i] |= gpu::kMarkKnown | (i % 2 == 0 ? 3U << gpu::kMarkFadeShift : 0);
+          marks[i] |= gpu::kMarkKnown | (i % 3 == 0 && measure == gpu::kLvPixels ? gpu::kMarkCounted : 0) |
+                      (i % 2 == 0 ? 3U << gpu::kMarkFadeShift : 0);
         pass.boxesForTest().write(0, std::as_bytes(std::span(boxes)));
         pass.statesForTest().write(0, std::as_bytes(std::span(states)));
         pass.marksForTest().write(0, std::as_bytes(std::span(marks)));
@@ -402,8 +403,9 @@ class AnalyseGl : public test::GlTest {
         const auto gpuStates = pass.states().read<gpu::ObjectState>(kCount);
         const auto gpuMarks = pass.marks().read<gpu::uint>(kCount);
         for (std::size_t i = 0; i < kCount; ++i) {
-          const OverlapResult result = testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F,
-                                                   isCounted(view, marks[i]) ? std::nullopt : std::optional(measure));
+          const OverlapResult result =
+              testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F,
+                          (marks[i] & gpu::kMarkCounted) != 0 ? std::nullopt : std::optional(measure));
           applyOverlap(result, scene, view, scene.chains[0], boxes[i], states[i], marks[i]);
           ASSERT_EQ(gpuStates[i].verdict, states[i].verdict) << size.width << "x" << size.height << " box " << i;
           ASSERT_NEAR(gpuStates[i].lv, states[i].lv, measure == gpu::kLvThesis ? 2e-5F : 2e-4F)
