@@ -120,9 +120,10 @@ void runRender(const RenderOptions& options) {
   if (report.statistics.dropped > 0)
     fmt::print(stderr, "jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing\n",
                options.scene.string(), report.statistics.dropped, options.rendererOptions.capacity.value_or(0));
-  if (scene.hasUnmeasuredLevels && options.lod == "pixel-error" && !options.quiet)
+  const bool followsError = options.lod == "pixel-error" || options.lod == "lv-error";
+  if (scene.hasUnmeasuredLevels && followsError && !options.quiet)
     fmt::print(stderr,
-               "jalousie: warning: {}: some levels carry no measured error and are never chosen by --lod pixel-error; "
+               "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; "
                "bake the file with jalousie-bake\n",
                options.scene.string());
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
