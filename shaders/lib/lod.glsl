@@ -31,6 +31,12 @@ float smoothLv(float last, float measured) {
   return start + (measured < start ? kSmoothAppearing : kSmoothHiding) * (clamp(measured, -1.0, 1.0) - start);
 }
 
+/// LV of what is out of view: nothing is known of it, and after a while it counts as open.
+float forgottenLv(float last) {
+  float start = clamp(last, -1.0, 1.0);
+  return start + kSmoothHiding * (-1.0 - start);
+}
+
 /// Pixels that an error of one object-space unit can cover (docs/lod_selection.md):
 /// scale * focalPixels / max(distance - radius, zNear).
 float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
@@ -82,8 +88,8 @@ uint stepTowards(uint last, uint lowest, uint highest) {
 
 /// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade. What no
 /// pixel shows need not fade.
-void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share, bool seen, ObjectState last, inout ObjectState state,
-                  inout uint mark) {
+void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share, bool seen, ObjectState last,
+                  inout ObjectState state, inout uint mark) {
   float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
   float budget = tau * relaxed;
   state.tessellation =
@@ -103,18 +109,17 @@ void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, fl
 }
 
 /// Detail of an object under the view's rule. @param seen  whether a pixel of the last frame showed it, or nobody knows
-/// @param last  of the frame before, where mark says kMarkKnown
+/// @param last  of the frame before, where mark says kMarkKnown or kMarkRemembered
 void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
-  bool known = (mark & kMarkKnown) != 0u;
   if (cullView.lodRule == kLodLinear) {
     state.lod = linearLod(state.lv, chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
   } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
     float relaxed = cullView.lodRule == kLodLvError ? relaxedBudget(state.lv, cullView.relax) : 1.0;
     float share = visibleShare(state.lv);
-    if (cullView.calm != 0u && known) {
-      followBudget(chain, pixelsPerUnit, tau, relaxed, share, seen, last, state, mark);
+    if ((mark & kMarkRemembered) != 0u) {
+      followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), share, seen, last, state, mark);
     } else {
       state.lod = relaxedLod(chain, pixelsPerUnit, tau, relaxed, share);
       state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau * relaxed,
@@ -122,5 +127,5 @@ void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, Object
     }
   }
   bool same = cullView.detail == kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
-  if (known && !same) mark |= kMarkSwitched;
+  if ((mark & kMarkKnown) != 0u && !same) mark |= kMarkSwitched;
 }

@@ -123,12 +123,15 @@ const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into 
 const uint kMarkLate = 4u;      // into the frame after the test
 const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
 const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible says something about it
-const uint kMarkKnown = 32u;    // was drawn in the last frame too: its level and count are there to go on from
+const uint kMarkKnown = 32u;    // was drawn in the last frame too
 const uint kMarkSwitched = 64u; // drawn at another level than in the last frame
 const uint kMarkFromCoarser = 128u;  // the level that fades out is the next coarser one, else the next finer
 const uint kMarkCounted = 256u;      // was drawn in the last frame whose pixels were counted, and ever since
-const uint kMarkFadeShift = 9u;      // above it, frames that the cross-fade still takes, this one included; 0: none
-const uint kMarkFadeMask = 0xfe80u;  // kMarkFromCoarser and the frames
+const uint kMarkCalm = 512u;         // went through a calm frame, drawn or not
+const uint kMarkRemembered = 1024u;  // the frame before was calm: its level and LV are there to go on from
+const uint kMarkMeasured = 2048u;    // the remembered LV comes from a count: from there on it is smoothed
+const uint kMarkFadeShift = 12u;     // above it, frames that the cross-fade still takes, this one included; 0: none
+const uint kMarkFadeMask = 0xf080u;  // kMarkFromCoarser and the frames
 
 // An entry of an instance list: an object, and whether it is the level that comes or the one that goes.
 const uint kInstanceFadingIn = 0x40000000u;

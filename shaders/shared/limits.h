@@ -39,11 +39,14 @@ const float kPixelGuard = 4.0;
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times this, and the next coarser one's is above the budget
 /// divided by it.
-const float kHysteresis = 1.75;
+const float kHysteresis = 2.0;
+/// A calm budget is relaxed by at most the width of that margin: what nobody sees then has a level that it need not leave
+/// when it comes into sight.
+const float kMostCalmRelaxed = 4.0;  // kHysteresis^2
 /// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
 /// and when it goes out of it.
 const float kSmoothAppearing = 0.25;
-const float kSmoothHiding = 0.078125;
+const float kSmoothHiding = 0.015625;
 /// Frames of a cross-fade.
 const uint kFadeFrames = 8u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).

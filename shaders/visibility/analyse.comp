@@ -126,8 +126,10 @@ void main() {
   uint mark = marks[id];
   bool known = (mark & kMarkKnown) != 0u;
   bool counted = (mark & kMarkCounted) != 0u;
+  bool remembered = (mark & kMarkRemembered) != 0u;
   bool hidden = range.x >= cullView.cullThreshold;
   bool open = !hidden && range.y <= 0.0;
+  bool waitsForCount = cullView.lvMeasure == kLvPixels && !hidden;
   float lv = hidden ? 1.0 : -1.0;
   bool wantsBlock = !hidden && !counted && cullView.analyse != 0u;
 #ifndef JAL_DEPTH_AWARE
@@ -139,7 +141,7 @@ void main() {
     open = sums.covered <= 0.0;
     if (!open) lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
   }
-  if (!counted) state.lv = known && cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
+  if (!counted) state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : lv) : lv;
 
   bool early = (mark & kMarkEarly) != 0u;
   state.verdict = hidden ? (early ? kVerdictStale : kVerdictOccluded) : open ? kVerdictOpen : kVerdictPartial;
@@ -150,7 +152,7 @@ void main() {
   }
   bool followsLv = cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError;
   if (!early && !hidden && !counted && followsLv)
-    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, true, last, state, mark);
+    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, known, last, state, mark);
   marks[id] = mark;
   states[id] = state;
 }

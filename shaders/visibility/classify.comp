@@ -67,12 +67,19 @@ bool isCounted(uint lastMarks) {
 }
 
 /// What is known of an object's visibility before this frame's test.
-float lvBeforeTest(uint id, bool known, bool counted, bool measuredLater, vec4 rect, ObjectState last) {
-  if (!known) return -1.0;
+/// @param history  whether the last frame left an LV   @param remembered  whether to go on from it calmly
+/// @param measured  whether it came from a count
+float lvBeforeTest(uint id, uint verdict, bool history, bool remembered, bool measured, bool counted,
+                   bool measuredLater, vec4 rect, ObjectState last) {
+  if (!history) return -1.0;
   if (counted) {
     vec2 size = rect.zw - rect.xy;
     float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
-    return cullView.calm != 0u ? smoothLv(last.lv, lv) : lv;
+    return measured ? smoothLv(last.lv, lv) : lv;
+  }
+  if (remembered && cullView.lvMeasure == kLvPixels) {
+    bool inView = verdict != kVerdictOutside && verdict != kVerdictSmall;
+    return inView ? last.lv : forgottenLv(last.lv);
   }
   return measuredLater && cullView.cullMode == kCullHiz ? last.lv : -1.0;
 }
@@ -98,15 +105,21 @@ void main() {
   ObjectState last = states[id];
   bool known = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
   bool counted = isCounted(lastMarks);
+  bool remembered = cullView.calm != 0u && (lastMarks & kMarkCalm) != 0u;
+  bool measured = remembered && (lastMarks & kMarkMeasured) != 0u;
   uint mark = phasesOf(verdict, isExpectedVisible(lastMarks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
-              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u) | (counted ? kMarkCounted : 0u);
+              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u) | (counted ? kMarkCounted : 0u) |
+              (cullView.calm != 0u ? kMarkCalm : 0u) | (remembered ? kMarkRemembered : 0u) |
+              (cullView.calm != 0u && (counted || measured) ? kMarkMeasured : 0u);
   bool measuredLater = verdict == kVerdictPending && cullView.cullMode >= kCullHom;
+  bool history = known || remembered;
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation,
-                                  lvBeforeTest(id, known, counted, measuredLater, hasRect ? rect : wholeScreen(), last));
-  if (measuredLater && known && selectsOccluders() && followsBlock()) {
+                                  lvBeforeTest(id, verdict, history, remembered, measured, counted, measuredLater,
+                                               hasRect ? rect : wholeScreen(), last));
+  if (measuredLater && history && selectsOccluders() && followsBlock()) {
     state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
   } else {
-    bool seen = !counted || pixelCounts[id] > 0u;
+    bool seen = known && (!counted || pixelCounts[id] > 0u);
     chooseDetail(chain, pixelsPerUnit, tau, seen, last, state, mark);
   }
   marks[id] = mark;

@@ -46,12 +46,24 @@ bool followsBlock(const gpu::CullView& view) {
   return (view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError) && view.lvMeasure != gpu::kLvPixels;
 }
 
-float lvBeforeTest(const gpu::CullView& view, bool known, bool counted, bool measuredLater, const glm::vec4& rect,
-                   const LastFrame& last) {
-  if (!known) return -1.0F;
-  if (counted) {
+/// What the last frame left of an object.
+struct History {
+  bool any = false;         ///< an LV
+  bool remembered = false;  ///< to be gone on from calmly
+  bool measured = false;    ///< which came from a count
+  bool counted = false;     ///< there is a new count
+};
+
+float lvBeforeTest(const gpu::CullView& view, gpu::uint verdict, const History& history, bool measuredLater,
+                   const glm::vec4& rect, const LastFrame& last) {
+  if (!history.any) return -1.0F;
+  if (history.counted) {
     const float lv = pixelsLv(static_cast<float>(last.pixels), (rect.z - rect.x) * (rect.w - rect.y));
-    return view.calm != 0 ? smoothLv(last.state.lv, lv) : lv;
+    return history.measured ? smoothLv(last.state.lv, lv) : lv;
+  }
+  if (history.remembered && view.lvMeasure == gpu::kLvPixels) {
+    const bool inView = verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall;
+    return inView ? last.state.lv : forgottenLv(last.state.lv);
   }
   return measuredLater && view.cullMode == gpu::kCullHiz ? last.state.lv : -1.0F;
 }
@@ -165,18 +177,23 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
   const bool counted =
       view.lvMeasure == gpu::kLvPixels && known && (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
+  const bool remembered = view.calm != 0 && (last.marks & gpu::kMarkCalm) != 0;
+  const bool measured = remembered && (last.marks & gpu::kMarkMeasured) != 0;
   result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.cullMode) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
-                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0) | (counted ? gpu::kMarkCounted : 0);
+                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0) | (counted ? gpu::kMarkCounted : 0) |
+                 (view.calm != 0 ? gpu::kMarkCalm : 0) | (remembered ? gpu::kMarkRemembered : 0) |
+                 (view.calm != 0 && (counted || measured) ? gpu::kMarkMeasured : 0);
   const bool measuredLater = verdict == gpu::kVerdictPending && view.cullMode >= gpu::kCullHom;
+  const History history{known || remembered, remembered, measured, counted};
   const glm::vec4 shown = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
-  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, known, counted, measuredLater, shown, last)};
-  if (measuredLater && known && selectsOccluders(view.cullMode) && followsBlock(view)) {
+  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, verdict, history, measuredLater, shown, last)};
+  if (measuredLater && history.any && selectsOccluders(view.cullMode) && followsBlock(view)) {
     result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
     return result;
   }
   const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  const bool seen = !counted || last.pixels > 0;
+  const bool seen = known && (!counted || last.pixels > 0);
   chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, seen, last.state, result.state,
                result.marks);
   return result;

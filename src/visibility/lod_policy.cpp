@@ -41,6 +41,11 @@ float smoothLv(float last, float measured) {
          (measured < start ? gpu::kSmoothAppearing : gpu::kSmoothHiding) * (std::clamp(measured, -1.0F, 1.0F) - start);
 }
 
+float forgottenLv(float last) {
+  const float start = std::clamp(last, -1.0F, 1.0F);
+  return start + gpu::kSmoothHiding * (-1.0F - start);
+}
+
 float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
   return scale * focalPixels / std::max(distance - radius, zNear);
 }
@@ -118,7 +123,6 @@ void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
                   const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
                   gpu::uint& marks) {
-  const bool known = (marks & gpu::kMarkKnown) != 0;
   if (view.lodRule == gpu::kLodLinear) {
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
@@ -126,8 +130,9 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
     const float relaxed = view.lodRule == gpu::kLodLvError ? relaxedBudget(state.lv, view.relax) : 1.0F;
     const float share = visibleShare(state.lv);
     const float patchPixels = patchError * box.pixelsPerUnit;
-    if (view.calm != 0 && known) {
-      followBudget(view, levels, patchPixels, box.pixelsPerUnit, {box.tau, relaxed, share}, seen, last, state, marks);
+    if ((marks & gpu::kMarkRemembered) != 0) {
+      followBudget(view, levels, patchPixels, box.pixelsPerUnit,
+                   {box.tau, std::min(relaxed, gpu::kMostCalmRelaxed), share}, seen, last, state, marks);
     } else {
       state.lod = relaxedLod(levels, box.pixelsPerUnit, box.tau, relaxed, share);
       state.tessellation = pixelErrorTessellation(patchPixels, box.tau * relaxed, view.maxTessellation);
@@ -135,7 +140,7 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
   }
   const bool same =
       view.detail == gpu::kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
-  if (known && !same) marks |= gpu::kMarkSwitched;
+  if ((marks & gpu::kMarkKnown) != 0 && !same) marks |= gpu::kMarkSwitched;
 }
 
 }  // namespace jalousie::visibility

@@ -31,6 +31,8 @@ float pixelsLv(float visible, float area);
 
 /// LV on its way from the last frame's value to the one just measured: quick when the object comes into sight.
 float smoothLv(float last, float measured);
+/// LV of what is out of view: nothing is known of it, and after a while it counts as open.
+float forgottenLv(float last);
 
 /// Pixels that an error of one object-space unit can cover: scale * focalPixels / max(distance - radius, zNear).
 /// @param scale  world units per object unit   @param distance  from the eye to the centre of the bounding sphere
@@ -55,11 +57,11 @@ std::uint32_t fadingLod(std::uint32_t lod, gpu::uint marks);
 /// One step from the last level towards [lowest, highest].
 std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_t highest);
 
-/// Fills lod and tessellation under the view's rule; kLodFinest leaves them. With view.calm, what was drawn in the last
-/// frame (kMarkKnown) goes on from there: it keeps its level within kHysteresis, changes it by one, and fades.
+/// Fills lod and tessellation under the view's rule; kLodFinest leaves them. With kMarkRemembered the object goes on
+/// from the last frame: it keeps its level within kHysteresis, changes it by one, and fades.
 /// @param patchError  errorObject of the patch base   @param last  the object in the last frame
 /// @param seen  whether a pixel of the last frame showed the object, or nobody knows: what is unseen need not fade
-/// @param marks  gets kMarkSwitched and the frames of the fade
+/// @param marks  gets kMarkSwitched (only what was drawn before, kMarkKnown, can switch) and the frames of the fade
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
                   const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
                   gpu::uint& marks);

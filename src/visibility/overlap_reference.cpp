@@ -121,7 +121,9 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
   const bool hidden = result.verdict == gpu::kVerdictOccluded;
   const bool counted = (marks & gpu::kMarkCounted) != 0;
   const gpu::ObjectState last = state;
-  if (!counted) state.lv = (marks & gpu::kMarkKnown) != 0 && view.calm != 0 ? smoothLv(last.lv, result.lv) : result.lv;
+  const bool waitsForCount = view.lvMeasure == gpu::kLvPixels && !hidden;
+  if (!counted)
+    state.lv = (marks & gpu::kMarkRemembered) != 0 ? smoothLv(last.lv, waitsForCount ? last.lv : result.lv) : result.lv;
   state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;
   if (hidden) {
     marks &= ~gpu::kMarkVisible;
@@ -131,7 +133,7 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
   const bool followsLv = view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError;
   if (early || counted || !followsLv) return;
   chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
-               scene.lods[chain.patchLod].errorObject, box, true, last, state, marks);
+               scene.lods[chain.patchLod].errorObject, box, (marks & gpu::kMarkKnown) != 0, last, state, marks);
 }
 
 }  // namespace jalousie::visibility

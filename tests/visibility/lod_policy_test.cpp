@@ -144,12 +144,12 @@ struct CalmObject {
     view.maxTessellation = 20;
     view.calm = 1;
     box.pixelsPerUnit = 1.0F;
-    marks = gpu::kMarkKnown;
+    marks = gpu::kMarkKnown | gpu::kMarkRemembered;
   }
   void frame(float tau, bool seen = true) {
     box.tau = tau;
-    marks = gpu::kMarkKnown | (marks & gpu::kMarkFadeMask);
-    gpu::ObjectState next{};
+    marks = gpu::kMarkKnown | gpu::kMarkRemembered | (marks & gpu::kMarkFadeMask);
+    gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, state.lv};
     chooseDetail(view, levels, 40.0F, box, seen, state, next, marks);
     state = next;
   }
@@ -226,6 +226,25 @@ TEST(Calm, LvComesIntoSightFasterThanItGoes) {
   EXPECT_FLOAT_EQ(smoothLv(-1.0F, 1.0F), -1.0F + 2.0F * gpu::kSmoothHiding);
   EXPECT_GT(gpu::kSmoothAppearing, gpu::kSmoothHiding);
   EXPECT_FLOAT_EQ(smoothLv(-1.8F, -1.8F), -1.0F) << "LV below -1 is no more open than -1";
+  EXPECT_FLOAT_EQ(forgottenLv(1.0F), 1.0F - 2.0F * gpu::kSmoothHiding);
+  EXPECT_FLOAT_EQ(forgottenLv(-1.8F), -1.0F);
+}
+
+TEST(Calm, WhatNobodySawNeedNotSwitchWhenItComesIntoSight) {
+  CalmObject object;
+  object.view.lodRule = gpu::kLodLvError;
+  object.view.relax = 64.0F;
+  for (std::size_t k = 0; k < object.levels.size(); ++k)
+    object.levels[k].triangleCount = 4096U >> k;
+  object.state.lod = 0;
+  object.state.lv = 1.0F;
+  object.frame(1.0F, false);
+  const std::uint32_t hiddenLod = object.state.lod;
+  EXPECT_GT(hiddenLod, 0U) << "hidden, it is drawn coarser";
+  object.state.lv = -1.0F;
+  object.frame(1.0F);
+  EXPECT_EQ(object.state.lod, hiddenLod);
+  EXPECT_FALSE(object.switched());
 }
 
 }  // namespace

@@ -104,6 +104,8 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
     last[i].marks = kHistories[random.below(4)];
     if (random.below(2) == 0) last[i].marks |= random.below(2) == 0 ? gpu::kMarkEarly : gpu::kMarkLate;
     if (random.below(2) == 0) last[i].marks |= gpu::kMarkCounted;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkCalm;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkMeasured;
     const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kFadeFrames + 1) : 0;
     const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
     if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
@@ -393,6 +395,8 @@ class AnalyseGl : public test::GlTest {
         std::vector<gpu::uint> marks(kCount);
         for (std::size_t i = 0; i < kCount; i += 3)
           marks[i] = mode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+        for (std::size_t i = 0; i < kCount; i += 2)
+          marks[i] |= calm != 0 ? gpu::kMarkCalm | gpu::kMarkRemembered : 0;
         for (std::size_t i = 0; i < kCount; i += 5)
           marks[i] |= gpu::kMarkKnown | (i % 3 == 0 && measure == gpu::kLvPixels ? gpu::kMarkCounted : 0) |
                       (i % 2 == 0 ? 3U << gpu::kMarkFadeShift : 0);
