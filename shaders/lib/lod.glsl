@@ -119,7 +119,8 @@ void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, Object
     float relaxed = cullView.lodRule == kLodLvError ? relaxedBudget(state.lv, cullView.relax) : 1.0;
     float share = visibleShare(state.lv);
     if ((mark & kMarkRemembered) != 0u) {
-      followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), share, seen, last, state, mark);
+      followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), max(share, kLeastCalmShare), seen,
+                   last, state, mark);
     } else {
       state.lod = relaxedLod(chain, pixelsPerUnit, tau, relaxed, share);
       state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau * relaxed,

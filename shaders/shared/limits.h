@@ -42,7 +42,8 @@ const float kPixelGuard = 4.0;
 const float kHysteresis = 2.0;
 /// A calm budget is relaxed by at most the width of that margin: what nobody sees then has a level that it need not leave
 /// when it comes into sight.
-const float kMostCalmRelaxed = 4.0;  // kHysteresis^2
+const float kMostCalmRelaxed = 4.0;           // kHysteresis^2
+const float kLeastCalmShare = 1.0 / 256.0;  // kMostCalmRelaxed^-4
 /// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
 /// and when it goes out of it.
 const float kSmoothAppearing = 0.25;

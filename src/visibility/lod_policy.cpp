@@ -132,7 +132,8 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
     const float patchPixels = patchError * box.pixelsPerUnit;
     if ((marks & gpu::kMarkRemembered) != 0) {
       followBudget(view, levels, patchPixels, box.pixelsPerUnit,
-                   {box.tau, std::min(relaxed, gpu::kMostCalmRelaxed), share}, seen, last, state, marks);
+                   {box.tau, std::min(relaxed, gpu::kMostCalmRelaxed), std::max(share, gpu::kLeastCalmShare)}, seen,
+                   last, state, marks);
     } else {
       state.lod = relaxedLod(levels, box.pixelsPerUnit, box.tau, relaxed, share);
       state.tessellation = pixelErrorTessellation(patchPixels, box.tau * relaxed, view.maxTessellation);
