@@ -47,7 +47,7 @@ const float kLeastCalmShare = 1.0 / 256.0;  // kMostCalmRelaxed^-4
 /// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
 /// and when it goes out of it.
 const float kSmoothAppearing = 0.25;
-const float kSmoothHiding = 0.015625;
+const float kSmoothHiding = 0.03125;
 /// Frames of a cross-fade.
 const uint kFadeFrames = 8u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).
