@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "asset/accessor.h"
+#include "asset/camera_write.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "core/error.h"
@@ -117,46 +118,15 @@ std::optional<int> addOccluder(Model& model, const Occluder& occluder, const Pat
   return node;
 }
 
-void addAnimation(Model& model, int node, const CameraPath& path) {
-  tinygltf::Animation animation;
-  animation.name = "walkthrough";
-  const int input = asset::appendScalars(model, path.times, 0);
-  const auto addChannel = [&](const char* target, int output) {
-    tinygltf::AnimationSampler sampler;
-    sampler.input = input;
-    sampler.output = output;
-    sampler.interpolation = "LINEAR";
-    animation.samplers.push_back(std::move(sampler));
-    tinygltf::AnimationChannel channel;
-    channel.sampler = static_cast<int>(animation.samplers.size()) - 1;
-    channel.target_node = node;
-    channel.target_path = target;
-    animation.channels.push_back(std::move(channel));
-  };
-  addChannel("translation", asset::appendVec3(model, path.positions, 0));
-  addChannel("rotation", asset::appendQuaternions(model, path.rotations, 0));
-  model.animations.push_back(std::move(animation));
-}
-
 int addCamera(Model& model, const PathSubject& subject, const Aabb& boundsWorld) {
   const float farthest = outsideDistance(subject) + glm::length(glm::max(glm::abs(boundsWorld.min), boundsWorld.max));
-  tinygltf::Camera camera;
-  camera.type = "perspective";
-  camera.name = "walkthrough";
-  camera.perspective.yfov = static_cast<double>(kFovY);
-  camera.perspective.znear = static_cast<double>(kNearShare * subject.objectRadius);
-  camera.perspective.zfar = static_cast<double>(kFarShare * farthest);
-  model.cameras.push_back(std::move(camera));
-
   const CameraPath path = makeCameraPath(subject);
-  const int node = addNode(model, "camera", -1);
-  tinygltf::Node& target = model.nodes.back();
-  target.camera = 0;
-  target.translation = numbers(path.positions[0]);
-  const glm::quat& first = path.rotations[0];
-  target.rotation = {first.x, first.y, first.z, first.w};
-  addAnimation(model, node, path);
-  return node;
+  asset::Camera camera;
+  camera.fovY = kFovY;
+  camera.zNear = kNearShare * subject.objectRadius;
+  camera.zFar = kFarShare * farthest;
+  camera.track = {path.times, path.positions, path.times, path.rotations};
+  return asset::appendCamera(model, "walkthrough", camera);
 }
 
 /// Lengths are squared on the way to the camera, so the square must be finite too.

@@ -1,0 +1,17 @@
+// Cameras and their motion into a glTF model.
+#pragma once
+
+#include <string>
+
+#include "asset/gltf_file.h"
+#include "asset/scene_file.h"
+
+namespace jalousie::asset {
+
+/// Adds a perspective camera, a node that holds it and, if the track has keys, an animation of that node with linear
+/// interpolation. The node stands at the track's first keys. @param name  of camera and animation
+/// @return index of the node, which is in no scene yet
+/// @pre camera.worldFromParent is the identity: the node is meant for the top of a scene (checked)
+int appendCamera(tinygltf::Model& model, const std::string& name, const Camera& camera);
+
+}  // namespace jalousie::asset
