@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/render_report.h"
+#include "app/warnings.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -55,12 +56,12 @@ std::uint32_t warmUpFrames(const RenderOptions& options) {
 }
 
 /// Renders options.repeat frames after the warm-up and takes medians per pass, scaled by how often it ran.
-FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& renderer, const scene::Camera& cull,
-                        const scene::Camera& draw) {
+FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& renderer, gl::Timing timing,
+                        const scene::Camera& cull, const scene::Camera& draw) {
   const std::uint32_t warmUps = warmUpFrames(options);
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> samples;
-  renderer.timer().setEnabled(true);
+  renderer.timer().setTiming(timing);
   Progress progress("rendering", options.repeat + warmUps, options.quiet);
   for (std::uint32_t i = 0; i < options.repeat + warmUps; ++i) {
     progress.update(i);
@@ -69,7 +70,7 @@ FrameTimes renderFrames(const RenderOptions& options, render::FrameRenderer& ren
     for (const gl::PassTime& pass : renderer.timer().passes()) {
       std::vector<double>& times = samples[std::string(pass.name)];
       if (times.empty()) order.emplace_back(pass.name);
-      times.push_back(pass.wallMs);
+      times.push_back(pass.ms);
     }
   }
   FrameTimes times;
@@ -108,24 +109,17 @@ void runRender(const RenderOptions& options) {
   render::FrameRenderer renderer(scene, options.width, options.height, rendererOptions);
   RenderReport report;
   report.renderer = context.capabilities().renderer;
-  report.times = renderFrames(options, renderer, cull, draw);
+  report.gpuTiming = !context.capabilities().softwareRenderer;
+  report.times = renderFrames(options, renderer, report.gpuTiming ? gl::Timing::kGpu : gl::Timing::kWall, cull, draw);
   report.statistics = renderer.readStatistics();
   report.maxTessellation = renderer.cullView().maxTessellation;
-  if (options.detail == "tessellation" && report.maxTessellation < options.frameOptions.maxTessellation)
-    fmt::print(
-        stderr,
-        "jalousie: warning: {}: tessellation limited to level {}: the base mesh has {} triangles and this software "
-        "renderer drops vertices above that\n",
-        options.scene.string(), report.maxTessellation, scene.maxPatchTriangles);
+  if (options.detail == "tessellation")
+    warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
   if (report.statistics.dropped > 0)
     fmt::print(stderr, "jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing\n",
                options.scene.string(), report.statistics.dropped, options.rendererOptions.capacity.value_or(0));
   const bool followsError = options.lod == "pixel-error" || options.lod == "lv-error";
-  if (scene.hasUnmeasuredLevels && followsError && !options.quiet)
-    fmt::print(stderr,
-               "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; "
-               "bake the file with jalousie-bake\n",
-               options.scene.string());
+  if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   writeReport(options, report);
 }

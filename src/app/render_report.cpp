@@ -49,9 +49,11 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["switches"] = s.switches;
   json["fading"] = s.fading;
   json["dropped"] = s.dropped;
+  json["draws"] = s.draws;
   json["triangles"] = s.triangles;
   json["triangles_full"] = s.trianglesFull;
   json["lod_histogram"] = s.lodHistogram;
+  json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
   for (const auto& [name, ms] : report.times.passes)
     json["passes"][name] = ms;

@@ -18,6 +18,7 @@ struct FrameTimes {
 
 struct RenderReport {
   std::string renderer;
+  bool gpuTiming = false;  ///< times are differences of GPU timestamps, not wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
   std::uint32_t maxTessellation = 0;  ///< finest level in use; below the option where the driver needs it

@@ -1,30 +1,44 @@
 // Time per pass of a frame.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include "gl/debug_log.h"
+#include "gl/handle.h"
 
 namespace jalousie::gl {
 
 struct PassTime {
   std::string_view name;  ///< a string literal
-  double wallMs = 0.0;
+  double ms = 0.0;
 };
 
-/// Opens a debug group per pass and, if enabled, brackets it with glFinish and wall time: the only timing that tells
-/// the truth on a software renderer. Disabled, it costs nothing but the debug groups. No allocation after the first
-/// frame.
+/// How passes are timed.
+enum class Timing {
+  kOff,   ///< costs nothing but the debug groups
+  kWall,  ///< glFinish and wall time around each pass: the only timing that tells the truth on a software renderer
+  kGpu,   ///< timestamps on the GPU: passes overlap as they do without a timer
+};
+
+/// Opens a debug group per pass and times it. No allocation after the first timed frame.
 class PassTimer {
  public:
-  explicit PassTimer(bool enabled = false) : enabled_(enabled) { passes_.reserve(16); }
+  static constexpr std::size_t kMaxPasses = 32;
 
-  void setEnabled(bool enabled) { enabled_ = enabled; }
+  PassTimer() { passes_.reserve(kMaxPasses); }
+  PassTimer(const PassTimer&) = delete;
+  PassTimer& operator=(const PassTimer&) = delete;
+  ~PassTimer();
+
+  void setTiming(Timing timing) { timing_ = timing; }
   /// Forgets the last frame's passes.
   void beginFrame() { passes_.clear(); }
-  const std::vector<PassTime>& passes() const { return passes_; }
+  /// The frame's passes in order; with kGpu it waits for their timestamps. Passes beyond kMaxPasses are not timed.
+  const std::vector<PassTime>& passes();
 
   /// One pass; ends when destroyed.
   class Scope {
@@ -37,13 +51,15 @@ class PassTimer {
    private:
     PassTimer& timer_;
     DebugGroup group_;
-    std::string_view name_;
+    bool timed_;
+    std::size_t index_ = 0;
     std::chrono::steady_clock::time_point start_;
   };
 
  private:
-  bool enabled_;
+  Timing timing_ = Timing::kOff;
   std::vector<PassTime> passes_;
+  std::array<GLuint, 2 * kMaxPasses> queries_{};  ///< start and end of each pass; made when first needed
 };
 
 }  // namespace jalousie::gl

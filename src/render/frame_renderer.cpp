@@ -266,6 +266,9 @@ std::optional<FrameStatistics> FrameRenderer::statisticsOf(const std::optional<v
       record->late[gpu::kCountDropped] + std::uint64_t{early ? record->early[gpu::kCountDropped] : 0};
   FrameStatistics statistics = makeStatistics(record->counters, record->view, fullTriangles_, dropped);
   statistics.frame = record->frame;
+  const std::uint32_t first = record->view.detail == gpu::kDetailTessellation ? gpu::kListsPerDetail : 0;
+  for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)
+    statistics.draws += record->late[list] + (record->view.cullMode == gpu::kCullHiz ? record->early[list] : 0);
   return statistics;
 }
 

@@ -250,7 +250,7 @@ TEST_F(FrameRendererGl, PassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setEnabled(true);
+  renderer.timer().setTiming(gl::Timing::kWall);
   renderer.render(homOptions(), camera, camera);
   std::vector<std::string> names;
   for (const gl::PassTime& pass : renderer.timer().passes())
@@ -263,7 +263,7 @@ TEST_F(FrameRendererGl, TwoPhasePassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setEnabled(true);
+  renderer.timer().setTiming(gl::Timing::kWall);
   renderer.render({}, camera, camera);
   std::vector<std::string> names;
   for (const gl::PassTime& pass : renderer.timer().passes())
