@@ -3,7 +3,7 @@
 //   build/release/bin/lv_bench worth SCENE VIEW...   triangles, image error and frame time at the same camera
 //   build/release/bin/lv_bench measures SCENE VIEW...   the same for every measure of hiddenness, without times
 //   build/release/bin/lv_bench calm SCENE VIEW...    level switches on a 0.25 degree path, under jitter, and what one
-//   shows
+//   shows; calm-default: without the thesis and what is not calm
 //
 // VIEW is a frame of the scene's camera path, or EYE:LOOK as x,y,z:x,y,z.
 #include <algorithm>
@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "asset/scene_file.h"
+#include "compare/image_error.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "platform/headless_context.h"
 #include "render/frame_renderer.h"
-#include "support/image_metrics.h"
 
 namespace {
 
@@ -85,8 +85,8 @@ ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOpti
 Sample sample(render::FrameRenderer& renderer, const render::FrameOptions& options, const scene::Camera& camera,
               const ImageRgba8& reference) {
   const ImageRgba8 image = settledImage(renderer, options, camera);
-  return {static_cast<double>(renderer.readStatistics().triangles), test::psnr(reference, image),
-          test::ssim(reference, image)};
+  return {static_cast<double>(renderer.readStatistics().triangles), compare::psnr(reference, image),
+          compare::ssim(reference, image)};
 }
 
 constexpr double kMostTriangles = 2e7;  ///< on a software renderer a frame takes seconds from here on
@@ -138,7 +138,7 @@ double median(std::vector<double> values) {
 double frameMs(render::FrameRenderer& renderer) {
   double sum = 0.0;
   for (const gl::PassTime& pass : renderer.timer().passes())
-    sum += pass.wallMs;
+    sum += pass.ms;
   return sum;
 }
 
@@ -146,7 +146,7 @@ double frameMs(render::FrameRenderer& renderer) {
 std::vector<double> interleavedTimes(render::FrameRenderer& renderer, const std::vector<render::FrameOptions>& all,
                                      const scene::Camera& camera) {
   std::vector<std::vector<double>> times(all.size());
-  renderer.timer().setEnabled(true);
+  renderer.timer().setTiming(gl::Timing::kWall);
   for (int round = 0; round < 7; ++round) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       renderer.render(all[i], camera, camera);
@@ -159,7 +159,7 @@ std::vector<double> interleavedTimes(render::FrameRenderer& renderer, const std:
       times[i].push_back(sum);
     }
   }
-  renderer.timer().setEnabled(false);
+  renderer.timer().setTiming(gl::Timing::kOff);
   std::vector<double> medians;
   for (std::vector<double>& samples : times)
     medians.push_back(median(std::move(samples)));
@@ -285,13 +285,13 @@ Change largestChange(const ImageRgba8& before, const ImageRgba8& after, const st
   return change;
 }
 
-void calm(const scene::SceneData& scene, const std::string& name, const std::string& view) {
+void calm(const scene::SceneData& scene, const std::string& name, const std::string& view, bool calmOnly) {
   const scene::Camera start = parseView(view, scene);
   const glm::vec3 center = scene.boundsWorld.center();
   std::printf(
       "%s, view %s\n| configuration | switches per visible object and frame, 0.25 degree path | under +-1 %% "
-      "jitter | objects in a fade | largest change of one object, camera frozen: pixels, share |\n"
-      "|---|---|---|---|---|\n",
+      "jitter | objects in a fade | triangles on the path | largest change of one object, camera frozen: pixels, share "
+      "|\n|---|---|---|---|---|---|\n",
       name.c_str(), view.c_str());
   struct Row {
     Configuration configuration;
@@ -299,6 +299,7 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
   };
   for (const Row& row :
        {Row{kThesis, false}, {kUniform, false}, {kUniform, true}, {kDefault, false}, {kDefault, true}}) {
+    if (calmOnly && !row.calm) continue;
     render::FrameRenderer renderer(scene, kWidth, kHeight);
     const render::FrameOptions drawn = optionsOf(row.configuration, 1.0F, row.calm);
     render::FrameOptions options = drawn;
@@ -308,6 +309,7 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
     double switches = 0.0;
     double visible = 0.0;
     double fading = 0.0;
+    double triangles = 0.0;
     for (int frame = 0; frame < kWarmUp + kFrames; ++frame) {
       // Still at first, so that the start is no part of the path.
       const scene::Camera camera = turned(start, center, 0.25F * static_cast<float>(std::max(0, frame - kWarmUp)));
@@ -317,6 +319,7 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
       const Switches now = countSwitches(renderer);
       switches += now.switched;
       visible += now.visible;
+      triangles += static_cast<double>(statistics.triangles) / (kFrames - 1);
       fading +=
           static_cast<double>(statistics.fading) / static_cast<double>(std::max<std::uint64_t>(statistics.drawn, 1));
     }
@@ -343,7 +346,7 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
     renderer.render(drawn, start, start);
     const float reach = 0.01F * medianDistance(renderer, start);
     switches = visible = 0.0;
-    constexpr int kJitterWarmUp = 60;
+    constexpr int kJitterWarmUp = 240;  // LV leaves slowly
     for (int frame = 0; frame < kJitterWarmUp + kFrames; ++frame) {
       scene::Camera camera = start;
       camera.worldFromCamera =
@@ -356,9 +359,9 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
       switches += now.switched;
       visible += now.visible;
     }
-    std::printf("| %s%s | %.3f %% | %.4f %% | %.2f %% | %.2f, %.4f |\n", row.configuration.name,
-                row.calm ? ", calm" : "", 100.0 * onPath, 100.0 * switches / visible, 100.0 * fades, change.pixels,
-                change.share);
+    std::printf("| %s%s | %.3f %% | %.4f %% | %.2f %% | %.0f | %.2f, %.4f |\n", row.configuration.name,
+                row.calm ? ", calm" : "", 100.0 * onPath, 100.0 * switches / visible, 100.0 * fades, triangles,
+                change.pixels, change.share);
     std::fflush(stdout);
   }
 }
@@ -367,17 +370,18 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
 
 int main(int argc, char** argv) {
   const std::string what = argc >= 4 ? argv[1] : "";
-  if (what != "worth" && what != "measures" && what != "calm") {
-    std::fprintf(
-        stderr,
-        "usage: lv_bench worth|measures|calm SCENE VIEW...   (VIEW: a frame of the camera path, or EYE:LOOK)\n");
+  if (what != "worth" && what != "measures" && what != "calm" && what != "calm-default") {
+    std::fprintf(stderr,
+                 "usage: lv_bench worth|measures|calm|calm-default SCENE VIEW...   (VIEW: a frame of the camera path, "
+                 "or EYE:LOOK)\n");
     return 2;
   }
   try {
     const platform::HeadlessContext context(false);
     const scene::SceneData scene = scene::buildScene(asset::readSceneFile(argv[2]));
     for (int i = 3; i < argc; ++i)
-      what == "calm" ? calm(scene, argv[2], argv[i]) : worth(scene, argv[2], argv[i], what == "measures");
+      what.starts_with("calm") ? calm(scene, argv[2], argv[i], what == "calm-default")
+                               : worth(scene, argv[2], argv[i], what == "measures");
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "lv_bench: %s\n", error.what());

@@ -25,7 +25,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"scene", {"core", "asset", "shared"}},
       {"visibility", {"core", "scene", "shared", "gl"}},
       {"render", {"core", "scene", "visibility", "shared", "gl"}},
-      {"compare", {"core", "render"}},
+      {"compare", {"core", "asset", "scene", "render", "shared"}},
       {"app", {"core", "asset", "gl", "platform", "scene", "visibility", "render", "compare", "shared"}},
       {"bake", {"core", "asset"}},
       {"scatter", {"core", "asset"}},
