@@ -4,28 +4,78 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
+#include "app/compare_command.h"
+#include "app/diff_command.h"
+#include "app/option_values.h"
+#include "app/record_command.h"
 #include "app/render_command.h"
-#include "app/render_options.h"
 #include "core/error.h"
+
+namespace {
+
+using namespace jalousie::app;
+
+struct Options {
+  RenderOptions render;
+  CompareOptions compare;
+  DiffOptions diff;
+  RecordOptions record;
+};
+
+/// What was typed, without what says nothing about the result.
+std::string toRepeat(int argc, char** argv) {
+  std::string text = "jalousie";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word != "--resume" && word != "-q" && word != "--quiet") text += " " + shellQuoted(word);
+  }
+  return text;
+}
+
+int run(const std::string& command, Options& options) {
+  if (command == "compare") {
+    options.compare.finish();
+    return runCompare(options.compare);
+  }
+  if (command == "diff") {
+    runDiff(options.diff);
+  } else if (command == "record") {
+    runRecord(options.record);
+  } else {
+    options.render.finish();
+    runRender(options.render);
+  }
+  return 0;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App program{"Level of detail that follows how visible each object is", "jalousie"};
   program.set_version_flag("--version", JALOUSIE_VERSION);
   program.require_subcommand(1);
   program.get_formatter()->column_width(32);
-  jalousie::app::RenderOptions render;
-  CLI::App* renderCommand = program.add_subcommand("render", "Render one frame, headless");
-  jalousie::app::addRenderOptions(*renderCommand, render);
+  Options options;
+  options.compare.command = toRepeat(argc, argv);
+  addRenderOptions(*program.add_subcommand("render", "Render one frame, headless"), options.render);
+  addCompareOptions(*program.add_subcommand("compare", "Measure configurations along a camera path and write a report"),
+                    options.compare);
+  addDiffOptions(*program.add_subcommand("diff", "How far one picture is from another: PSNR, SSIM, FLIP"),
+                 options.diff);
+  addRecordOptions(*program.add_subcommand("record", "Write a camera path as a glTF camera animation"), options.record);
+  std::string command = "COMMAND";
   try {
     program.parse(argc, argv);
-    render.finish();
-    jalousie::app::runRender(render);
-    return 0;
+    command = program.get_subcommands().front()->get_name();
+    return run(command, options);
   } catch (const CLI::Success& answer) {
     return program.exit(answer);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "jalousie: {} (see jalousie render --help)\n", error.what());
+    for (const CLI::App* parsed : program.get_subcommands())
+      command = parsed->get_name();
+    fmt::print(stderr, "jalousie: {} (see jalousie {} --help)\n", error.what(), command);
     return static_cast<int>(jalousie::ErrorCode::kUsage);
   } catch (const jalousie::Error& error) {
     fmt::print(stderr, "jalousie: {}\n", error.what());

@@ -5,12 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/option_values.h"
 #include "core/error.h"
 
 namespace jalousie::app {
@@ -22,37 +20,6 @@ const std::vector<std::string> kMeasures = {"none", "thesis", "spectral", "chord
 const std::vector<std::string> kViews = {"shaded", "lod", "lv", "occlusion", "phase"};
 const std::vector<std::string> kDetails = {"discrete", "tessellation"};
 
-/// Turns "1,2.5,-3" into a point; anything else is a usage error that CLI11 reports.
-bool parsePoint(const CLI::results_t& results, std::optional<glm::vec3>& target) {
-  std::array<float, 3> values = {};
-  std::string_view text = results.at(0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (k == 2)) return false;
-    if (!CLI::detail::lexical_cast(std::string(text.substr(0, comma)), values[k]) || !std::isfinite(values[k]))
-      return false;
-    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
-  }
-  target = glm::vec3(values[0], values[1], values[2]);
-  return true;
-}
-
-bool parseSize(const CLI::results_t& results, RenderOptions& options) {
-  const std::string& text = results.at(0);
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return false;
-  return CLI::detail::lexical_cast(text.substr(0, cross), options.width) &&
-         CLI::detail::lexical_cast(text.substr(cross + 1), options.height) && options.width >= 1 &&
-         options.height >= 1 && options.width <= 16384 && options.height <= 16384;
-}
-
-void addPoint(CLI::App& command, const char* name, std::optional<glm::vec3>& target, const char* help) {
-  command
-      .add_option(
-          name, [&target](const CLI::results_t& results) { return parsePoint(results, target); }, help)
-      ->type_name("X,Y,Z");
-}
-
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--frame", options.frame, "Frame of the scene's camera path, 30 a second")
       ->check(CLI::NonNegativeNumber);
@@ -63,12 +30,82 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
   addPoint(command, "--freeze-eye", options.freezeEye,
            "Cull from this position, draw from the other camera; needs --freeze-look");
   addPoint(command, "--freeze-look", options.freezeLook, "Point the frozen culling camera looks at");
-  command
-      .add_option(
-          "--size", [&options](const CLI::results_t& results) { return parseSize(results, options); },
-          "Image size in pixels, up to 16384 a side [1280x720]")
-      ->type_name("WxH");
+  addSize(command, options.width, options.height);
 }
+
+void addOutputOptions(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--view", options.view,
+                  "shaded, lod = occluders red, others blue, lighter = coarser; lv = heat map; occlusion = the map or "
+                  "depth pyramid itself; phase = drawn before the test grey, after it orange, before it in vain red")
+      ->check(CLI::IsMember(kViews))
+      ->capture_default_str();
+  command.add_option("--map-level", options.frameOptions.mapLevel, "Level that --view occlusion shows")
+      ->capture_default_str();
+  command.add_option("-o,--output", options.output, "Image to write")->type_name("OUT.png");
+  command.add_option("--json", options.json, "Write statistics as JSON; - for standard output")->type_name("STATS");
+  command
+      .add_option("--repeat", options.repeat, "Render N times after one warm-up and report median times; 1: no warm-up")
+      ->check(CLI::Range(1U, 10000U))
+      ->capture_default_str();
+  command
+      .add_option_function<std::uint32_t>(
+          "--settle",
+          [&options](const std::uint32_t& frames) {
+            options.settle = frames;
+            options.settleGiven = true;
+          },
+          "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame "
+          "after "
+          "a cut [2]")
+      ->check(CLI::Range(0U, 1000U));
+  command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
+  command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
+}
+
+[[noreturn]] void refuse(const char* reason) {
+  throw Error(ErrorCode::kUsage, reason);
+}
+
+gpu::uint indexOf(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<gpu::uint>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void checkCamera(const RenderOptions& o) {
+  if (o.eye.has_value() != o.look.has_value()) refuse("--eye and --look go together");
+  if (o.eye && o.frame) refuse("choose either --frame or --eye and --look");
+  if (o.freezeEye.has_value() != o.freezeLook.has_value()) refuse("--freeze-eye and --freeze-look go together");
+  if (o.freezeEye && o.freezeFrame) refuse("choose either --freeze-frame or --freeze-eye and --freeze-look");
+}
+
+void checkCombination(const RenderOptions& o) {
+  const bool map = o.mode == "hom" || o.mode == "hom-depth";
+  const bool twoPhases = o.mode == "hiz";
+  const bool followsLv = o.lod == "linear" || o.lod == "lv-error";
+  const bool counts = o.lv == "pixels";
+  const bool usesLv = followsLv || o.view == "lv";
+  if (!map && !twoPhases && usesLv && !counts)
+    refuse("--lod linear, lv-error and --view lv need --mode hom, hom-depth or hiz, or --lv pixels");
+  if (o.lod != "lv-error" && o.relaxGiven) refuse("--relax needs --lod lv-error");
+  if (o.lv != "none" && !usesLv) refuse("--lv needs --lod linear, --lod lv-error or --view lv");
+  if (!map && !twoPhases && o.view == "occlusion") refuse("--view occlusion needs --mode hom, hom-depth or hiz");
+  if (!twoPhases && o.view == "phase") refuse("--view phase needs --mode hiz");
+  if (!map && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom or hom-depth");
+  if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
+  if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
+  if (!twoPhases && !(usesLv && counts) && o.settleGiven) refuse("--settle needs --mode hiz or --lv pixels");
+  if (o.frameOptions.calm && o.lod != "pixel-error" && o.lod != "lv-error")
+    refuse("--calm needs --lod pixel-error or lv-error");
+  if (o.lod != "pixel-error" && o.lod != "lv-error" && o.tauGiven) refuse("--tau needs --lod pixel-error or lv-error");
+  if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
+  if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
+  if (o.detail != "tessellation" && o.frameOptions.maxTessellation != gpu::kMaxTessellationLevel)
+    refuse("--max-tessellation needs --detail tessellation");
+  if (o.output.empty() && !o.statsOnly) refuse("say where the image goes (-o OUT.png), or --stats-only");
+  if (!o.output.empty() && o.statsOnly) refuse("--stats-only draws no image; leave out -o");
+}
+
+}  // namespace
 
 void addMethodOptions(CLI::App& command, RenderOptions& options) {
   command
@@ -155,80 +192,6 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
       ->check(CLI::PositiveNumber);
   command.add_flag("--core", options.coreOnly, "OpenGL 4.5 core only, no extension; same image");
 }
-
-void addOutputOptions(CLI::App& command, RenderOptions& options) {
-  command
-      .add_option("--view", options.view,
-                  "shaded, lod = occluders red, others blue, lighter = coarser; lv = heat map; occlusion = the map or "
-                  "depth pyramid itself; phase = drawn before the test grey, after it orange, before it in vain red")
-      ->check(CLI::IsMember(kViews))
-      ->capture_default_str();
-  command.add_option("--map-level", options.frameOptions.mapLevel, "Level that --view occlusion shows")
-      ->capture_default_str();
-  command.add_option("-o,--output", options.output, "Image to write")->type_name("OUT.png");
-  command.add_option("--json", options.json, "Write statistics as JSON; - for standard output")->type_name("STATS");
-  command
-      .add_option("--repeat", options.repeat, "Render N times after one warm-up and report median times; 1: no warm-up")
-      ->check(CLI::Range(1U, 10000U))
-      ->capture_default_str();
-  command
-      .add_option_function<std::uint32_t>(
-          "--settle",
-          [&options](const std::uint32_t& frames) {
-            options.settle = frames;
-            options.settleGiven = true;
-          },
-          "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame "
-          "after "
-          "a cut [2]")
-      ->check(CLI::Range(0U, 1000U));
-  command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
-  command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
-}
-
-[[noreturn]] void refuse(const char* reason) {
-  throw Error(ErrorCode::kUsage, reason);
-}
-
-gpu::uint indexOf(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<gpu::uint>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-void checkCamera(const RenderOptions& o) {
-  if (o.eye.has_value() != o.look.has_value()) refuse("--eye and --look go together");
-  if (o.eye && o.frame) refuse("choose either --frame or --eye and --look");
-  if (o.freezeEye.has_value() != o.freezeLook.has_value()) refuse("--freeze-eye and --freeze-look go together");
-  if (o.freezeEye && o.freezeFrame) refuse("choose either --freeze-frame or --freeze-eye and --freeze-look");
-}
-
-void checkCombination(const RenderOptions& o) {
-  const bool map = o.mode == "hom" || o.mode == "hom-depth";
-  const bool twoPhases = o.mode == "hiz";
-  const bool followsLv = o.lod == "linear" || o.lod == "lv-error";
-  const bool counts = o.lv == "pixels";
-  const bool usesLv = followsLv || o.view == "lv";
-  if (!map && !twoPhases && usesLv && !counts)
-    refuse("--lod linear, lv-error and --view lv need --mode hom, hom-depth or hiz, or --lv pixels");
-  if (o.lod != "lv-error" && o.relaxGiven) refuse("--relax needs --lod lv-error");
-  if (o.lv != "none" && !usesLv) refuse("--lv needs --lod linear, --lod lv-error or --view lv");
-  if (!map && !twoPhases && o.view == "occlusion") refuse("--view occlusion needs --mode hom, hom-depth or hiz");
-  if (!twoPhases && o.view == "phase") refuse("--view phase needs --mode hiz");
-  if (!map && o.frameOptions.occluderDistance) refuse("--occluder-distance needs --mode hom or hom-depth");
-  if (!map && o.frameOptions.occluderTau) refuse("--occluder-tau needs --mode hom or hom-depth");
-  if (!map && o.frameOptions.cullThreshold < 1.0F) refuse("--cull-threshold needs --mode hom or hom-depth");
-  if (!twoPhases && !(usesLv && counts) && o.settleGiven) refuse("--settle needs --mode hiz or --lv pixels");
-  if (o.frameOptions.calm && o.lod != "pixel-error" && o.lod != "lv-error")
-    refuse("--calm needs --lod pixel-error or lv-error");
-  if (o.lod != "pixel-error" && o.lod != "lv-error" && o.tauGiven) refuse("--tau needs --lod pixel-error or lv-error");
-  if (o.mode == "full" && o.frameOptions.minPixels > 0.0F) refuse("--min-pixels culls; --mode full does not");
-  if (o.frameOptions.mapLevel != 0 && o.view != "occlusion") refuse("--map-level needs --view occlusion");
-  if (o.detail != "tessellation" && o.frameOptions.maxTessellation != gpu::kMaxTessellationLevel)
-    refuse("--max-tessellation needs --detail tessellation");
-  if (o.output.empty() && !o.statsOnly) refuse("say where the image goes (-o OUT.png), or --stats-only");
-  if (!o.output.empty() && o.statsOnly) refuse("--stats-only draws no image; leave out -o");
-}
-
-}  // namespace
 
 void RenderOptions::finish() {
   if (lv.empty()) lv = lod == "linear" ? "thesis" : lod == "lv-error" || view == "lv" ? "pixels" : "none";

@@ -50,7 +50,10 @@ struct RenderOptions {
   void finish();
 };
 
-/// Declares the options on a subcommand; values land in options, which must outlive the parse.
+/// Declares the options that choose how a frame is culled and detailed, and none of camera and output.
+void addMethodOptions(CLI::App& command, RenderOptions& options);
+
+/// Declares all options on a subcommand; values land in options, which must outlive the parse.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 }  // namespace jalousie::app

@@ -1,0 +1,222 @@
+// Scene and path in, report out.
+#include "app/compare_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <deque>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/warnings.h"
+#include "asset/image_io.h"
+#include "compare/experiment_log.h"
+#include "compare/page.h"
+#include "compare/summary.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/progress.h"
+#include "platform/headless_context.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::app {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The first signal asks for an end after the step, the second one ends at once.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    struct sigaction action = {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (std::size_t i = 0; i < std::size(kSignals); ++i)
+      sigaction(kSignals[i], &action, &before_[i]);
+  }
+  ~InterruptGuard() {
+    for (std::size_t i = 0; i < std::size(kSignals); ++i)
+      sigaction(kSignals[i], &before_[i], nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  static constexpr int kSignals[] = {SIGINT, SIGTERM};
+  struct sigaction before_[std::size(kSignals)] = {};
+};
+
+/// What the configurations share, and what they own.
+struct Setup {
+  std::vector<compare::Configuration> configurations;
+  std::deque<visibility::ImportanceMask> masks;
+  bool patches = false;
+  bool followsError = false;
+};
+
+void setUp(const CompareOptions& options, Setup& setup) {
+  for (const ConfigurationText& text : options.chosen) {
+    const RenderOptions render = optionsOf(text);
+    compare::Configuration configuration{text.name, text.options, render.frameOptions, render.rendererOptions};
+    if (!render.importance.empty())
+      configuration.renderer.importance = &setup.masks.emplace_back(asset::loadImage(render.importance));
+    setup.patches = setup.patches || configuration.frame.detail == gpu::kDetailTessellation;
+    setup.followsError = setup.followsError || configuration.followsTau();
+    setup.configurations.push_back(std::move(configuration));
+  }
+}
+
+asset::Camera chooseCamera(const std::vector<asset::Camera>& cameras, const std::string& which,
+                           const std::filesystem::path& file) {
+  if (cameras.empty())
+    throw Error(ErrorCode::kUsage, "has no camera; give --path, or make a path with `jalousie record`", file);
+  if (which.empty()) return cameras.front();
+  std::string names;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (which == cameras[i].name || which == std::to_string(i)) return cameras[i];
+    names += fmt::format("{}{} {}", i > 0 ? ", " : "", i, cameras[i].name);
+  }
+  throw Error(ErrorCode::kUsage, fmt::format("has no camera \"{}\"; it has {}", which, names), file);
+}
+
+compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path) {
+  compare::Plan plan;
+  plan.range = parseFrames(options.frames, scene::frameCount(path));
+  plan.width = options.width;
+  plan.height = options.height;
+  const std::map<std::string, compare::Reference> references = {
+      {"none", compare::Reference::kNone}, {"lod0", compare::Reference::kLod0}, {"full", compare::Reference::kFull}};
+  plan.reference = references.at(options.reference);
+  plan.lead = options.lead;
+  plan.keep = options.keep;
+  plan.taus = options.taus;
+  plan.pixelsPerDegree = options.pixelsPerDegree;
+  for (std::size_t i = 0; i < options.chosen.size(); ++i)
+    if (options.chosen[i].name == options.baseline) plan.baseline = i;
+  return plan;
+}
+
+/// A report replaces a report, and nothing else.
+void prepareFolder(const std::filesystem::path& folder, bool resume) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw Error(ErrorCode::kWriteFailed, "the folder cannot be made", folder);
+  const bool report = std::filesystem::exists(folder / compare::kLogName);
+  if (!report && !std::filesystem::is_empty(folder))
+    throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", folder);
+  if (resume) return;
+  std::filesystem::remove_all(folder / "pictures", error);
+  for (const char* name : {"index.html", "summary.json", "frames.csv"})
+    std::filesystem::remove(folder / name, error);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// A line that is redrawn on a terminal, a line per tenth of the work in a log.
+class RunProgress {
+ public:
+  RunProgress(const compare::Experiment& experiment, bool quiet)
+      : experiment_(experiment),
+        first_(experiment.stepsDone()),
+        quiet_(quiet),
+        line_("comparing", experiment.stepCount(), quiet) {}
+
+  void update() {
+    const std::size_t done = experiment_.stepsDone();
+    const std::size_t count = experiment_.stepCount();
+    std::string left;
+    if (done > first_) {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+      left = duration(elapsed.count() / static_cast<double>(done - first_) * static_cast<double>(count - done));
+    }
+    line_.update(done, fmt::format("{}{}{}", experiment_.nextStep(), left.empty() ? "" : ", left: ", left));
+    if (quiet_ || line_.visible() || 10 * done / count == tenths_) return;
+    tenths_ = 10 * done / count;
+    fmt::print(stderr, "jalousie: {} of {} steps done{}{}\n", done, count, done < count ? ", left: " : "",
+               done < count ? left : "");
+  }
+
+ private:
+  const compare::Experiment& experiment_;
+  std::size_t first_;
+  bool quiet_;
+  Progress line_;
+  std::size_t tenths_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Names may hold any bytes; JSON holds UTF-8.
+std::string jsonText(const nlohmann::ordered_json& summary) {
+  return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+nlohmann::ordered_json writeReport(const CompareOptions& options, const compare::Experiment& experiment,
+                                   const Setup& setup, const compare::Plan& plan,
+                                   const compare::Circumstances& circumstances) {
+  nlohmann::ordered_json summary =
+      compare::summaryJson(experiment.results(), setup.configurations, plan, circumstances);
+  writeFileAtomic(options.output / "frames.csv", compare::framesCsv(experiment.results(), setup.configurations));
+  writeFileAtomic(options.output / "summary.json", jsonText(summary));
+  writeFileAtomic(options.output / "index.html",
+                  compare::makePage(summary, experiment.results(), setup.configurations, options.output));
+  return summary;
+}
+
+}  // namespace
+
+int runCompare(const CompareOptions& options) {
+  Setup setup;
+  setUp(options, setup);
+  const asset::SceneFile file = asset::readSceneFile(options.scene);
+  const std::filesystem::path& pathFile = options.path.empty() ? options.scene : options.path;
+  const asset::Camera path = options.path.empty()
+                                 ? chooseCamera(file.cameras, options.camera, pathFile)
+                                 : chooseCamera(asset::readSceneFile(options.path).cameras, options.camera, pathFile);
+  compare::Plan plan = makePlan(options, path);
+  const scene::SceneData plain = scene::buildScene(file);
+  std::optional<scene::SceneData> patches;
+  if (setup.patches) patches.emplace(scene::buildScene(file, {.patches = true}));
+
+  const platform::HeadlessContext context(/*debug=*/false);
+  plan.renderer = context.capabilities().renderer;
+  plan.gpuTiming = !context.capabilities().softwareRenderer;
+  if (!options.quiet) {
+    if (plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
+    if (patches) warnTessellationLimit(options.scene, *patches, context.capabilities(), gpu::kMaxTessellationLevel);
+  }
+  prepareFolder(options.output, options.resume);
+  const compare::Scenes scenes{plain, patches ? &*patches : nullptr};
+  const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
+  compare::Experiment experiment(scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume);
+
+  const InterruptGuard guard;
+  {
+    RunProgress progress(experiment, options.quiet);
+    for (progress.update(); experiment.stepsDone() < experiment.stepCount() && interrupted == 0; progress.update())
+      experiment.runStep();
+  }
+  if (!options.quiet) fmt::print(stderr, "jalousie: writing the report\n");
+  const nlohmann::ordered_json summary =
+      writeReport(options, experiment, setup, plan,
+                  {options.scene.filename().string(), options.path.filename().string(), context.capabilities().renderer,
+                   plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION});
+  if (options.json == "-")
+    fmt::print("{}", jsonText(summary));
+  else if (!options.quiet)
+    fmt::print("{}{}\n", compare::summaryText(summary), (options.output / "index.html").string());
+  if (experiment.stepsDone() == experiment.stepCount()) return 0;
+  fmt::print(stderr, "jalousie: {}: interrupted after {} of {} steps; the same command with --resume goes on\n",
+             options.output.string(), experiment.stepsDone(), experiment.stepCount());
+  return kInterrupted;
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,144 @@
+// The table of names.
+#include "app/configurations.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::app {
+namespace {
+
+struct BuiltIn {
+  const char* name;
+  const char* options;
+};
+constexpr BuiltIn kBuiltIns[] = {
+    {"frustum", "--mode frustum --lod pixel-error"},
+    {"frustum-finest", "--mode frustum --lod finest"},
+    {"hom", "--mode hom --lod finest"},
+    {"hom-depth", "--mode hom-depth --lod pixel-error"},
+    {"hom+lv", "--mode hom --lod linear --lv thesis"},
+    {"hom+lv-tessellation", "--mode hom --lod linear --lv thesis --detail tessellation"},
+    {"hiz", "--mode hiz --lod pixel-error"},
+    {"default", ""},
+    {"calm", "--calm"},
+    {"discrete", "--detail discrete"},
+    {"tessellation", "--detail tessellation"},
+};
+
+struct Set {
+  const char* name;
+  const char* members;
+  const char* what;
+};
+constexpr Set kSets[] = {
+    {"standard", "frustum,hiz,default", "the default beside what it has to beat"},
+    {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "Kristmann 2022, Fig. 4.6 to 4.10"},
+    {"ab", "discrete,tessellation", "LOD chain against Phong tessellation, same budget"},
+    {"all", "frustum,hom-depth,hiz,default,calm,hom+lv,tessellation", "one of each kind"},
+};
+
+constexpr std::uint64_t kMaxFileBytes = 1U << 20U;
+constexpr std::size_t kMaxConfigurations = 16;
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    parts.push_back(list.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return parts;
+}
+
+void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
+  for (const Set& set : kSets) {
+    if (name != set.name) continue;
+    for (const std::string& member : split(set.members))
+      add(chosen, member);
+    return;
+  }
+  const auto* const known =
+      std::find_if(std::begin(kBuiltIns), std::end(kBuiltIns), [&](const BuiltIn& b) { return name == b.name; });
+  if (known == std::end(kBuiltIns))
+    throw Error(ErrorCode::kUsage,
+                fmt::format("no configuration or set is called \"{}\" (see jalousie compare --help)", name));
+  const bool twice =
+      std::any_of(chosen.begin(), chosen.end(), [&](const ConfigurationText& c) { return c.name == name; });
+  if (!twice) chosen.push_back({known->name, known->options});
+}
+
+std::vector<ConfigurationText> readConfigurations(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = readFile(file, kMaxFileBytes);
+  std::vector<ConfigurationText> result;
+  try {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const nlohmann::json root = nlohmann::json::parse(text);
+    for (const nlohmann::json& entry : root.at("configurations"))
+      result.push_back({entry.at("name").get<std::string>(), entry.value("options", std::string())});
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(ErrorCode::kMalformed,
+                fmt::format("needs {{\"configurations\": [{{\"name\": ..., \"options\": ...}}]}} ({})", error.what()),
+                file);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<ConfigurationText> chosenConfigurations(const std::string& list) {
+  std::vector<ConfigurationText> chosen;
+  if (list.ends_with(".json")) {
+    chosen = readConfigurations(list);
+  } else {
+    for (const std::string& name : split(list))
+      add(chosen, name);
+  }
+  if (chosen.empty()) throw Error(ErrorCode::kUsage, "no configuration is chosen", list);
+  if (chosen.size() > kMaxConfigurations)
+    throw Error(ErrorCode::kLimit, fmt::format("{} configurations, at most {}", chosen.size(), kMaxConfigurations));
+  return chosen;
+}
+
+ConfigurationText parseConfiguration(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(ErrorCode::kUsage, fmt::format("--config {}: say NAME=OPTIONS", text));
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+RenderOptions optionsOf(const ConfigurationText& configuration) {
+  RenderOptions options;
+  CLI::App parser;
+  parser.set_help_flag();
+  addMethodOptions(parser, options);
+  try {
+    parser.parse(configuration.options);
+    options.statsOnly = true;  // the picture is the experiment's business
+    options.finish();
+  } catch (const CLI::ParseError& error) {
+    throw Error(ErrorCode::kUsage, fmt::format("configuration \"{}\": {}", configuration.name, error.what()));
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("configuration \"{}\": {}", configuration.name, error.what()));
+  }
+  options.frameOptions.skipDraw = false;
+  return options;
+}
+
+std::string describeConfigurations() {
+  std::string text = "Configurations, and the options of `jalousie render` they stand for:\n";
+  for (const BuiltIn& b : kBuiltIns)
+    text += fmt::format("  {:<21} {}\n", b.name, *b.options == '\0' ? "(no option)" : b.options);
+  text += "Sets:\n";
+  for (const Set& set : kSets)
+    text += fmt::format("  {:<21} {}: {}\n", set.name, set.what, set.members);
+  return text;
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,81 @@
+// Two pictures in, three figures and a map out.
+#include "app/diff_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "asset/image_io.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::app {
+namespace {
+
+std::string text(const DiffOptions& options, const nlohmann::ordered_json& figures) {
+  const nlohmann::ordered_json& psnr = figures.at("psnr");
+  return fmt::format("FLIP  {:.6f}  mean; largest {:.4f} ({:.2f} pixels per degree)\nSSIM  {:.6f}\nPSNR  {}\n",
+                     figures.at("flip").get<double>(), figures.at("flip_largest").get<double>(),
+                     options.pixelsPerDegree, figures.at("ssim").get<double>(),
+                     psnr.is_null() ? "equal pictures" : fmt::format("{:.4f} dB", psnr.get<double>()));
+}
+
+}  // namespace
+
+void addDiffOptions(CLI::App& command, DiffOptions& o) {
+  command.add_option("reference", o.reference, "The picture as it should be, PNG or JPEG")
+      ->required()
+      ->type_name("A.png");
+  command.add_option("test", o.test, "The picture to judge, of the same size")->required()->type_name("B.png");
+  command.add_option("-o,--output", o.output, "Write FLIP's error map: black = no difference seen, pale yellow = 1")
+      ->type_name("MAP.png");
+  command.add_option("--json", o.json, "Write the figures as JSON; - for standard output")->type_name("FIGURES");
+  command
+      .add_option("--ppd", o.pixelsPerDegree,
+                  "Pixels per degree of visual angle [67.02: 0.7 m from a 0.7 m wide 4K monitor]")
+      ->check(CLI::Range(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
+  command.footer(R"(Alpha is ignored.
+Examples:
+  jalousie diff full.png lod.png
+  jalousie diff full.png lod.png -o error.png --json figures.json
+  jalousie diff full.png lod.png --ppd 40
+      for viewers who sit nearer
+)");
+}
+
+void runDiff(const DiffOptions& options) {
+  const ImageRgba8 reference = asset::loadImage(options.reference);
+  const ImageRgba8 test = asset::loadImage(options.test);
+  if (reference.width != test.width || reference.height != test.height)
+    throw Error(ErrorCode::kUsage,
+                fmt::format("is {}x{} pixels, the reference {}x{}; only pictures of one size can be compared",
+                            test.width, test.height, reference.width, reference.height),
+                options.test);
+  if (std::min(reference.width, reference.height) < compare::kLeastSsimSide)
+    throw Error(ErrorCode::kUsage, fmt::format("is smaller than {0}x{0} pixels", compare::kLeastSsimSide),
+                options.reference);
+  const std::vector<float> map = compare::flipMap(compare::FlipImage(reference, options.pixelsPerDegree),
+                                                  compare::FlipImage(test, options.pixelsPerDegree));
+  const double psnr = compare::psnr(reference, test);
+  nlohmann::ordered_json figures;
+  figures["width"] = reference.width;
+  figures["height"] = reference.height;
+  figures["flip"] = compare::mean(map);
+  figures["flip_largest"] = static_cast<double>(*std::max_element(map.begin(), map.end()));
+  figures["pixels_per_degree"] = options.pixelsPerDegree;
+  figures["ssim"] = compare::ssim(reference, test);
+  figures["psnr"] = std::isfinite(psnr) ? nlohmann::ordered_json(psnr) : nlohmann::ordered_json();
+  if (!options.output.empty())
+    asset::savePng(compare::errorPicture(map, reference.width, reference.height), options.output);
+  if (options.json == "-") {
+    fmt::print("{}\n", figures.dump(2));
+    return;
+  }
+  if (!options.json.empty()) writeFileAtomic(options.json, figures.dump(2) + "\n");
+  fmt::print("{}", text(options, figures));
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,29 @@
+// `jalousie diff`: how far one picture is from another.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "compare/image_error.h"
+
+namespace CLI {
+class App;
+}
+
+namespace jalousie::app {
+
+struct DiffOptions {
+  std::filesystem::path reference;
+  std::filesystem::path test;
+  std::filesystem::path output;  ///< error map; empty: none
+  std::string json;              ///< file, "-" for standard output, or empty
+  double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
+};
+
+/// Declares the options on a subcommand; values land in options, which must outlive the parse.
+void addDiffOptions(CLI::App& command, DiffOptions& options);
+
+/// Errors: kUsage for pictures of different or too small size; as loadImage and writeFileAtomic.
+void runDiff(const DiffOptions& options);
+
+}  // namespace jalousie::app

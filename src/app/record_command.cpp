@@ -1,0 +1,167 @@
+// Splines and orbits.
+#include "app/record_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+
+#include "app/option_values.h"
+#include "asset/camera_write.h"
+#include "core/check.h"
+#include "core/error.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr std::uint32_t kMostFrames = 1'000'000;
+
+/// Slope of a value at key k, per frame: that of the line through its neighbours; one-sided at the ends.
+template <class Get>
+glm::vec3 slopeAt(const std::vector<KeyPose>& keys, std::size_t k, Get get) {
+  const KeyPose& before = keys[k > 0 ? k - 1 : k];
+  const KeyPose& after = keys[std::min(k + 1, keys.size() - 1)];
+  if (before.frame == after.frame) return glm::vec3(0.0F);
+  return (get(after) - get(before)) / static_cast<float>(after.frame - before.frame);
+}
+
+template <class Get>
+glm::vec3 hermite(const std::vector<KeyPose>& keys, std::size_t k, float frame, Get get) {
+  if (k + 1 == keys.size()) return get(keys[k]);
+  const auto length = static_cast<float>(keys[k + 1].frame - keys[k].frame);
+  const float t = (frame - static_cast<float>(keys[k].frame)) / length;
+  const float t2 = t * t;
+  const float t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * get(keys[k]) + (t3 - 2 * t2 + t) * length * slopeAt(keys, k, get) +
+         (3 * t2 - 2 * t3) * get(keys[k + 1]) + (t3 - t2) * length * slopeAt(keys, k + 1, get);
+}
+
+void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera) {
+  glm::quat rotation = glm::normalize(glm::quat_cast(glm::mat3(camera.worldFromCamera)));
+  if (!track.rotations.empty() && glm::dot(rotation, track.rotations.back()) < 0.0F) rotation = -rotation;
+  const float seconds = static_cast<float>(frame) / scene::kPathRate;
+  track.translationTimes.push_back(seconds);
+  track.rotationTimes.push_back(seconds);
+  track.translations.push_back(camera.positionWorld());
+  track.rotations.push_back(rotation);
+}
+
+asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWorld) {
+  const glm::vec3 center = sceneWorld.center();
+  const float radius = std::max(0.5F * sceneWorld.diagonal(), 1e-6F);
+  const float distance = options.distance * radius / std::sin(0.5F * glm::radians(options.fovDegrees));
+  const float height = glm::radians(options.elevationDegrees);
+  asset::CameraTrack track;
+  for (std::uint32_t frame = 0; frame < options.frames; ++frame) {
+    // A whole turn ends one step before its start: played again and again, it does not halt.
+    const float angle =
+        glm::radians(options.orbitDegrees) * static_cast<float>(frame) / static_cast<float>(options.frames);
+    const glm::vec3 direction(std::sin(angle) * std::cos(height), std::sin(height), std::cos(angle) * std::cos(height));
+    addPose(track, frame, scene::lookAt(center + distance * direction, center, sceneWorld));
+  }
+  return track;
+}
+
+}  // namespace
+
+KeyPose parseKey(const std::string& text) {
+  const std::size_t first = text.find(':');
+  const std::size_t second = first == std::string::npos ? first : text.find(':', first + 1);
+  KeyPose key;
+  if (second != std::string::npos && CLI::detail::lexical_cast(text.substr(0, first), key.frame) &&
+      key.frame < kMostFrames) {
+    const std::optional<glm::vec3> eye = parsePoint(std::string_view(text).substr(first + 1, second - first - 1));
+    const std::optional<glm::vec3> look = parsePoint(std::string_view(text).substr(second + 1));
+    if (eye && look) return {key.frame, *eye, *look};
+  }
+  throw Error(ErrorCode::kUsage, fmt::format("--key {}: say FRAME:X,Y,Z:X,Y,Z (eye, then what it looks at)", text));
+}
+
+asset::CameraTrack splineTrack(const std::vector<KeyPose>& keys, const Aabb& sceneWorld) {
+  JAL_CHECK(!keys.empty());
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    JAL_CHECK(keys[i - 1].frame < keys[i].frame);
+  asset::CameraTrack track;
+  std::size_t k = 0;
+  for (std::uint32_t frame = keys.front().frame; frame <= keys.back().frame; ++frame) {
+    while (k + 1 < keys.size() && frame >= keys[k + 1].frame)
+      ++k;
+    const auto at = static_cast<float>(frame);
+    const glm::vec3 eye = hermite(keys, k, at, [](const KeyPose& key) { return key.eye; });
+    const glm::vec3 look = hermite(keys, k, at, [](const KeyPose& key) { return key.look; });
+    addPose(track, frame, scene::lookAt(eye, look, sceneWorld));
+  }
+  return track;
+}
+
+void addRecordOptions(CLI::App& command, RecordOptions& o) {
+  command.add_option("scene", o.scene, "glTF or GLB file that the path goes through")
+      ->required()
+      ->type_name("SCENE.glb");
+  command.add_option("-o,--output", o.output, "glTF camera animation to write, 30 frames a second")
+      ->required()
+      ->type_name("PATH.glb");
+  command.add_option("--key", o.keys, "Pose at a frame; give several, the path goes smoothly through all of them")
+      ->type_name("FRAME:EYE:LOOK")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto orbit = [&command, &o](const char* name, auto& target, const char* help) {
+    return command.add_option_function<std::decay_t<decltype(target)>>(
+        name,
+        [&o, &target](const auto& value) {
+          target = value;
+          o.orbitGiven = true;
+        },
+        help);
+  };
+  orbit("--orbit", o.orbitDegrees, "Without --key: turn around the scene by this angle, degrees [360]")
+      ->check(CLI::Range(-36000.0F, 36000.0F));
+  orbit("--elevation", o.elevationDegrees, "Height of the orbit, degrees [15]")->check(CLI::Range(-89.0F, 89.0F));
+  orbit("--distance", o.distance, "Of the orbit; 1: the whole scene is in view [1]")
+      ->check(CLI::Range(0.001F, 1000.0F));
+  orbit("--frames", o.frames, "Length of the orbit [300]")->check(CLI::Range(1U, kMostFrames));
+  command.add_option("--fov", o.fovDegrees, "Vertical field of view, degrees")
+      ->check(CLI::Range(1.0F, 170.0F))
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", o.quiet, "No summary");
+  command.footer(R"(Examples:
+  jalousie record city.glb -o orbit.glb
+  jalousie record city.glb --key 0:0,8,0:-40,4,-20 --key 60:-15,6,-8:-60,4,-30 --key 120:-40,8,-10:0,4,0 -o walk.glb
+  jalousie compare city.glb --path walk.glb -o report
+Blender and other tools read the file, and what they write is a path too: any glTF with an animated camera.
+)");
+}
+
+void runRecord(const RecordOptions& options) {
+  if (!options.keys.empty() && options.orbitGiven)
+    throw Error(ErrorCode::kUsage, "--orbit, --elevation, --distance and --frames make a path without --key");
+  std::vector<KeyPose> keys;
+  for (const std::string& text : options.keys)
+    keys.push_back(parseKey(text));
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "the frames of --key must ascend");
+  const scene::SceneData scene = scene::buildScene(asset::readSceneFile(options.scene));
+
+  asset::Camera camera;
+  camera.fovY = glm::radians(options.fovDegrees);
+  camera.zNear = scene::lookAt({0, 0, 1}, {0, 0, 0}, scene.boundsWorld).zNear;
+  camera.track = keys.empty() ? orbitTrack(options, scene.boundsWorld) : splineTrack(keys, scene.boundsWorld);
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.asset.generator = "jalousie " JALOUSIE_VERSION;
+  model.scenes.resize(1);
+  model.defaultScene = 0;
+  model.scenes[0].nodes.push_back(asset::appendCamera(model, "path", camera));
+  asset::saveGlb(model, options.output);
+  if (!options.quiet)
+    fmt::print("{}: {} frames, {:.1f} s\n", options.output.string(), scene::frameCount(camera),
+               static_cast<double>(scene::frameCount(camera)) / static_cast<double>(scene::kPathRate));
+}
+
+}  // namespace jalousie::app
