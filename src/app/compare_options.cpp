@@ -27,16 +27,6 @@ Value number(const std::string& text, const char* option) {
   return value;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, from), text.size());
-    parts.push_back(text.substr(from, end - from));
-    from = end + 1;
-  }
-  return parts;
-}
-
 }  // namespace
 
 compare::FrameRange parseFrames(const std::string& text, std::uint32_t frameCount) {

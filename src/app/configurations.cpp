@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/option_values.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -47,20 +48,10 @@ constexpr Set kSets[] = {
 constexpr std::uint64_t kMaxFileBytes = 1U << 20U;
 constexpr std::size_t kMaxConfigurations = 16;
 
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', from), list.size());
-    parts.push_back(list.substr(from, comma - from));
-    from = comma + 1;
-  }
-  return parts;
-}
-
 void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
   for (const Set& set : kSets) {
     if (name != set.name) continue;
-    for (const std::string& member : split(set.members))
+    for (const std::string& member : split(set.members, ','))
       add(chosen, member);
     return;
   }
@@ -97,7 +88,7 @@ std::vector<ConfigurationText> chosenConfigurations(const std::string& list) {
   if (list.ends_with(".json")) {
     chosen = readConfigurations(list);
   } else {
-    for (const std::string& name : split(list))
+    for (const std::string& name : split(list, ','))
       add(chosen, name);
   }
   if (chosen.empty()) throw Error(ErrorCode::kUsage, "no configuration is chosen", list);

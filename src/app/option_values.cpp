@@ -2,6 +2,7 @@
 #include "app/option_values.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace jalousie::app {
@@ -50,6 +51,16 @@ void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height) {
           [&width, &height](const CLI::results_t& results) { return parseSize(results.at(0), width, height); },
           "Image size in pixels, up to 16384 a side [1280x720]")
       ->type_name("WxH");
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, from), text.size());
+    parts.push_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return parts;
 }
 
 std::string shellQuoted(std::string_view argument) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -21,6 +22,9 @@ void addPoint(CLI::App& command, const char* name, std::optional<glm::vec3>& tar
 
 /// --size WxH, up to 16384 a side. width and height must outlive the parse.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);
+
+/// What stands between separators; one empty text for an empty one.
+std::vector<std::string> split(const std::string& text, char separator);
 
 /// An argument as a shell wants it: in single quotes where it holds anything but plain characters.
 std::string shellQuoted(std::string_view argument);

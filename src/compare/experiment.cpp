@@ -47,6 +47,14 @@ void countSwitches(render::FrameRenderer& renderer, Sample& sample) {
   sample.switched = switched;
 }
 
+/// Mean difference between what changes in a picture and what changes in the reference.
+double temporalError(const FlipImage& before, const FlipImage& after, const std::vector<float>& motion) {
+  std::vector<float> moved = flipMap(before, after);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    moved[i] = std::abs(moved[i] - motion[i]);
+  return mean(moved);
+}
+
 void forgetOldest(auto& entries, std::uint32_t kept) {
   while (entries.size() > kReferencesInMemory)
     entries.erase(entries.begin()->first != kept ? entries.begin() : std::prev(entries.end()));
@@ -94,6 +102,7 @@ Experiment::Experiment(const Scenes& scenes, const asset::Camera& path,
       plan_(plan),
       folder_(std::move(folder)),
       referenceKey_(referenceFingerprint(scenes.plain, path, plan)),
+      lastSeen_(configurations.size()),
       renderers_(configurations.size()) {
   JAL_CHECK(!configurations.empty());
   for (const std::uint32_t frame : plan.range.frames())
@@ -192,14 +201,16 @@ void Experiment::approach(render::FrameRenderer& renderer, const render::FrameOp
     renderer.render(quiet, camera(k), camera(k));
 }
 
-/// On a path without gaps: after an interruption, the history goes through the frames that were measured before it.
+/// On a path without gaps: after an interruption, the history goes through the frames that were measured before it, and
+/// the last of them is seen again.
 void Experiment::catchUp(std::uint32_t frame) {
   for (std::uint32_t k = lastFrame_ ? *lastFrame_ + 1 : plan_.range.first; k < frame; ++k) {
     for (std::size_t c = 0; c < configurations_.size(); ++c) {
       render::FrameOptions quiet = configurations_[c].frame;
-      quiet.skipDraw = true;
+      quiet.skipDraw = k + 1 < frame || plan_.reference == Reference::kNone;
       renderer(c).timer().setTiming(gl::Timing::kOff);
       renderer(c).render(quiet, camera(k), camera(k));
+      if (!quiet.skipDraw) lastSeen_[c].emplace(renderer(c).readImage(), plan_.pixelsPerDegree);
     }
   }
   lastFrame_ = frame;
@@ -252,10 +263,15 @@ const FlipImage& Experiment::referenceFlip(std::uint32_t frame) {
   return result;
 }
 
-ImageError Experiment::errorOf(const ImageRgba8& image, std::uint32_t frame) {
+ImageError Experiment::errorOf(const ImageRgba8& image, const FlipImage& seen, std::uint32_t frame) {
   const ImageRgba8& reference = referenceImage(frame);
-  return {psnr(reference, image), ssim(reference, image),
-          mean(flipMap(referenceFlip(frame), FlipImage(image, plan_.pixelsPerDegree)))};
+  return {psnr(reference, image), ssim(reference, image), mean(flipMap(referenceFlip(frame), seen))};
+}
+
+/// From one frame to the next, what moves in the reference moves in the picture too.
+std::vector<float> Experiment::motionInReference(std::uint32_t from, std::uint32_t to) {
+  const FlipImage before = referenceFlip(from);  // a copy: the cache may forget it for the other one
+  return flipMap(before, referenceFlip(to));
 }
 
 std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
@@ -276,18 +292,22 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
     images[c] = renderer(c).readImage();
     countSwitches(renderer(c), samples[c]);
   }
-  if (pictures)
-    for (std::size_t c = 0; c < configurations_.size(); ++c)
-      samples[c].error = errorOf(images[c], frame);
+  if (!pictures) return samples;
+  const bool follows = continuous && frame > plan_.range.first;
+  const std::vector<float> motion = follows ? motionInReference(frame - 1, frame) : std::vector<float>();
+  for (std::size_t c = 0; c < configurations_.size(); ++c) {
+    FlipImage seen(images[c], plan_.pixelsPerDegree);
+    samples[c].error = errorOf(images[c], seen, frame);
+    if (follows) samples[c].temporal = temporalError(*lastSeen_[c], seen, motion);
+    if (continuous) lastSeen_[c].emplace(std::move(seen));
+  }
   return samples;
 }
 
 std::vector<KeptSample> Experiment::runKeep(std::uint32_t frame) {
   const std::filesystem::path pictures = folder_ / "pictures";
   const std::uint32_t before = frame > 0 ? frame - 1 : frame;
-  // From one frame to the next, what moves in the reference moves in the picture too.
-  const std::vector<float> motion =
-      flipMap(FlipImage(referenceImage(before), plan_.pixelsPerDegree), referenceFlip(frame));
+  const std::vector<float> motion = motionInReference(before, frame);
   std::vector<KeptSample> result;
   for (std::size_t c = 0; c < configurations_.size(); ++c) {
     const Configuration& configuration = configurations_[c];
@@ -312,10 +332,7 @@ std::vector<KeptSample> Experiment::runKeep(std::uint32_t frame) {
     const std::vector<float> change = flipMap(seen, frozen);
     sample.frozenMean = mean(change);
     sample.frozenLargest = static_cast<double>(*std::max_element(change.begin(), change.end()));
-    std::vector<float> moved = flipMap(last, seen);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      moved[i] = std::abs(moved[i] - motion[i]);
-    sample.temporal = mean(moved);
+    sample.temporal = temporalError(last, seen, motion);
     result.push_back(sample);
 
     const std::vector<float> error = flipMap(referenceFlip(frame), seen);
@@ -337,8 +354,9 @@ std::vector<SweepSample> Experiment::runSweep(std::uint32_t frame, float tau) {
     options.tau = tau;
     approach(renderer(c), options, frame);
     const Sample sample = measure(c, options, frame);
-    result.push_back(
-        {c, tau, frame, sample.statistics.triangles, sample.frameMs, errorOf(renderer(c).readImage(), frame)});
+    const ImageRgba8 image = renderer(c).readImage();
+    result.push_back({c, tau, frame, sample.statistics.triangles, sample.frameMs,
+                      errorOf(image, FlipImage(image, plan_.pixelsPerDegree), frame)});
   }
   lastFrame_.reset();
   return result;

@@ -73,6 +73,7 @@ struct Sample {
   std::optional<ImageError> error;                     ///< absent without a reference
   std::optional<std::uint64_t> visible;                ///< objects that show a pixel; absent without pictures
   std::optional<std::uint64_t> switched;               ///< of these: at another level than in the frame before
+  std::optional<double> temporal;                      ///< as KeptSample::temporal; absent where frames are left out
 };
 
 /// What a kept frame tells beside its pictures.
@@ -156,7 +157,8 @@ class Experiment {
   Sample measure(std::size_t configuration, const render::FrameOptions& options, std::uint32_t frame);
   const ImageRgba8& referenceImage(std::uint32_t frame);
   const FlipImage& referenceFlip(std::uint32_t frame);
-  ImageError errorOf(const ImageRgba8& image, std::uint32_t frame);
+  ImageError errorOf(const ImageRgba8& image, const FlipImage& seen, std::uint32_t frame);
+  std::vector<float> motionInReference(std::uint32_t from, std::uint32_t to);
   scene::Camera camera(std::uint32_t frame) const;
 
   const Scenes& scenes_;
@@ -167,7 +169,8 @@ class Experiment {
   std::string referenceKey_;
   std::vector<Step> steps_;
   std::size_t done_ = 0;
-  std::optional<std::uint32_t> lastFrame_;  ///< that the renderers' history ends with, on a path without gaps
+  std::optional<std::uint32_t> lastFrame_;          ///< that the renderers' history ends with, on a path without gaps
+  std::vector<std::optional<FlipImage>> lastSeen_;  ///< its pictures, one per configuration
   Results results_;
   std::vector<std::unique_ptr<render::FrameRenderer>> renderers_;
   std::unique_ptr<render::FrameRenderer> referenceRenderer_;

@@ -107,6 +107,7 @@ json toJson(const Sample& sample) {
                        {"ssim", sample.error->ssim},
                        {"flip", sample.error->flip}};
   if (sample.visible) result["visible"] = *sample.visible;
+  if (sample.temporal) result["temporal_flip"] = *sample.temporal;
   if (sample.switched) result["visible_switched"] = *sample.switched;
   return result;
 }
@@ -142,6 +143,7 @@ Sample sampleFrom(const json& value) {
     sample.passes.emplace_back(pass.at(0).get<std::string>(), pass.at(1).get<double>());
   if (value.contains("error")) sample.error = errorFrom(value.at("error"));
   if (value.contains("visible")) sample.visible = value.at("visible").get<std::uint64_t>();
+  if (value.contains("temporal_flip")) sample.temporal = value.at("temporal_flip").get<double>();
   if (value.contains("visible_switched")) sample.switched = value.at("visible_switched").get<std::uint64_t>();
   return sample;
 }

@@ -77,7 +77,7 @@ ordered_json errorJson(const std::vector<const Sample*>& samples) {
            {{"mean", meanOf(similarities)}, {"least", *std::min_element(similarities.begin(), similarities.end())}}}};
 }
 
-/// Level switches, and what the kept frames tell about them.
+/// Level switches, and what they change. Temporal FLIP is that of the path where no frame is left out.
 ordered_json poppingJson(const Results& results, const std::vector<const Sample*>& samples, std::size_t configuration) {
   ordered_json json;
   double visible = 0.0;
@@ -96,6 +96,10 @@ ordered_json poppingJson(const Results& results, const std::vector<const Sample*
     largest = std::max(largest, kept.frozenLargest);
     temporal.push_back(kept.temporal);
   }
+  std::vector<double> alongPath;
+  for (const Sample* sample : samples)
+    if (sample->temporal) alongPath.push_back(*sample->temporal);
+  if (!alongPath.empty()) temporal = std::move(alongPath);
   json["frozen_flip_mean"] = frozen.empty() ? ordered_json(nullptr) : ordered_json(meanOf(frozen));
   json["frozen_flip_largest"] = frozen.empty() ? ordered_json(nullptr) : ordered_json(largest);
   json["temporal_flip"] = temporal.empty() ? ordered_json(nullptr) : ordered_json(meanOf(temporal));
@@ -376,7 +380,7 @@ std::string framesCsv(const Results& results, const std::vector<Configuration>& 
   }
   std::string text =
       "frame,configuration,triangles,draws,drawn,drawn_early,drawn_stale,culled_frustum,culled_occlusion,culled_small,"
-      "occluders,switches,fading,dropped,visible,visible_switched,flip,psnr,ssim,frame_ms";
+      "occluders,switches,fading,dropped,visible,visible_switched,flip,psnr,ssim,temporal_flip,frame_ms";
   for (const std::string& pass : passes)
     text += "," + csvField(pass + " ms");
   for (std::size_t k = 0; k < levels; ++k)
@@ -392,6 +396,7 @@ std::string framesCsv(const Results& results, const std::vector<Configuration>& 
     text += sample.error
                 ? fmt::format(",{:.6f},{:.4f},{:.6f}", sample.error->flip, sample.error->psnr, sample.error->ssim)
                 : ",,,";
+    text += sample.temporal ? fmt::format(",{:.6f}", *sample.temporal) : ",";
     text += fmt::format(",{:.3f}", sample.frameMs);
     for (const std::string& pass : passes) {
       double sum = 0.0;

@@ -149,6 +149,8 @@ TEST_F(CompareCommand, TheReportHoldsWhatWasAskedFor) {
   ASSERT_EQ(summary["sweep"]["curves"].size(), 5U);
   EXPECT_EQ(summary["sweep"]["curves"][0]["points"].size(), 3U);
   EXPECT_EQ(linesOf(file("report/frames.csv")).size(), 1U + 5 * 5);
+  EXPECT_EQ(hiz["popping"]["temporal_flip"], frustum["popping"]["temporal_flip"]);
+  EXPECT_GT(coarse["popping"]["temporal_flip"], 0.0);
   for (const char* picture : {"01100-reference-image", "01104-default-lod", "01104-coarse-error", "01100-hiz-image"}) {
     const ImageRgba8 image = asset::loadImage(file(std::string("report/pictures/") + picture + ".png"));
     EXPECT_EQ(image.width, 160U) << picture;

@@ -67,6 +67,7 @@ Sample fullSample(std::uint32_t frame, std::size_t configuration) {
   sample.error = ImageError{38.123456789012345, 0.1 + 0.2, 1.0 / 7.0};
   sample.visible = 77;
   sample.switched = 3;
+  sample.temporal = 0.0123;
   return sample;
 }
 
@@ -110,6 +111,7 @@ void expectSame(const Sample& a, const Sample& b) {
   if (a.error) expectSame(*a.error, *b.error);
   EXPECT_EQ(a.visible, b.visible);
   EXPECT_EQ(a.switched, b.switched);
+  EXPECT_EQ(a.temporal, b.temporal);
 }
 
 void expectSame(const Results& a, const Results& b) {
@@ -177,6 +179,7 @@ TEST_F(ExperimentLog, WhatASampleLacksIsStillAbsent) {
   bare.samples[0].error.reset();
   bare.samples[0].visible.reset();
   bare.samples[0].switched.reset();
+  bare.samples[0].temporal.reset();
   bare.samples[1].error->psnr = kInfinity;
   bare.samples[2].passes.clear();
   bare.samples[2].statistics.lodHistogram.clear();
@@ -319,7 +322,8 @@ TEST_F(ExperimentLog, StepThatLosesAnyOfItsKeysIsMalformed) {
     const std::size_t quote = text.rfind('"', colon - 1);
     const std::string key = text.substr(quote + 1, colon - quote - 1);
     // What a sample may lack. Its error stands before its time, that of the sweep behind.
-    if (key == "visible" || key == "visible_switched" || (key == "error" && quote < text.find("\"frame_ms\"", line)))
+    if (key == "visible" || key == "visible_switched" || key == "temporal_flip" ||
+        (key == "error" && quote < text.find("\"frame_ms\"", line)))
       continue;
     std::string broken = text;
     broken.insert(quote + 1, "x");

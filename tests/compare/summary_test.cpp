@@ -425,6 +425,21 @@ TEST(SummaryJson, FrozenFlipHasItsMeanAndTheLargestPixelOfAllKeptFrames) {
   EXPECT_DOUBLE_EQ(popping["temporal_flip"].get<double>(), 0.003);
 }
 
+TEST(SummaryJson, TemporalFlipIsThatOfThePathWhereThePathHasIt) {
+  Results results = wholeResults();
+  results.kept = {{0, 0, 0.01, 0.5, 0.5}};
+  double sum = 0.0;
+  double count = 0.0;
+  for (Sample& sample : results.samples) {
+    if (sample.configuration != 0 || sample.frame == 0) continue;
+    sample.temporal = 0.001 * (1.0 + count);
+    sum += *sample.temporal;
+    count += 1.0;
+  }
+  const ordered_json popping = summaryOf(results, {"one", "two"})["configurations"][0]["popping"];
+  EXPECT_DOUBLE_EQ(popping["temporal_flip"].get<double>(), sum / count);
+}
+
 TEST(SummaryJson, PassThatRunsInHalfOfTheFramesCostsHalf) {
   Results results;
   for (std::uint32_t frame = 0; frame < 4; ++frame) {

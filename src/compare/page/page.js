@@ -487,6 +487,7 @@
     ['culled_occlusion', 'culled by occlusion', 'objects culled by occlusion', count, countTick, ['linear']],
     ['draws', 'draws', 'draw commands', count, countTick, ALL_SCALES],
     ['switches', 'switches', 'level switches per visible object', small, brief, ['linear']],
+    ['temporal_flip', 'temporal FLIP', 'temporal FLIP, mean of the frame', small, brief, ['linear', 'log']],
   ].map(([key, label, long, format, tick, scales, floating]) => ({ key, label, long, format, tick, scales, floating }))
     .filter(({ key }) => series.some((s) => s[key]?.some((v) => v != null)));
   const quantityOf = (key) => QUANTITIES.find((q) => q.key === key);
@@ -1420,7 +1421,8 @@
         + 'level switches alone, given as FLIP of the pixel that changes most and as mean. Temporal FLIP: mean of '
         + '|FLIP(I\u2096, I\u2096\u208b\u2081) \u2212 FLIP(R\u2096, R\u2096\u208b\u2081)| over the pixels, with I the '
         + 'picture and R the reference: change that the reference does not have, and change that it has and the '
-        + 'picture lacks. The last two are of the kept frames.'],
+        + 'picture lacks. Frozen is of the kept frames; temporal FLIP of the whole path where no frame of it is left '
+        + 'out, else of the kept frames too.'],
     ];
   }
 
