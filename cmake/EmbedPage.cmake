@@ -1,4 +1,4 @@
-# cmake -DOUTPUT=FILE -DROOT=DIR [-DCHARTS=FILE] -P EmbedPage.cmake
+# cmake -DOUTPUT=FILE -DROOT=DIR -DSCRIPTS=NAME;... [-DCHARTS=FILE] -P EmbedPage.cmake
 # Writes a C++ file that defines the texts of compare/page.h: the page's files and the charts library.
 
 set(text "// Generated from src/compare/page/ and the charts library.\n#include \"compare/page.h\"\n\nnamespace jalousie::compare {\n")
@@ -15,7 +15,14 @@ macro(define name file)
 endmacro()
 define(pageHtml "${ROOT}/index.html")
 define(pageStyle "${ROOT}/page.css")
-define(pageScript "${ROOT}/page.js")
+# One function around all scripts: what they declare is theirs alone.
+set(whole "'use strict';\n(() => {\n")
+foreach(script IN LISTS SCRIPTS)
+  file(READ "${ROOT}/${script}.js" part)
+  string(APPEND whole "${part}\n")
+endforeach()
+file(WRITE "${OUTPUT}.js" "${whole}})();\n")
+define(pageScript "${OUTPUT}.js")
 define(chartsScript "${CHARTS}")
 string(APPEND text "\n}  // namespace jalousie::compare\n")
 file(WRITE "${OUTPUT}" "${text}")
