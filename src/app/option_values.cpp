@@ -67,8 +67,12 @@ std::string shellQuoted(std::string_view argument) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string_view::npos) return std::string(argument);
   std::string quoted = "'";
-  for (const char c : argument)
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  for (const char c : argument) {
+    if (c == '\'')
+      quoted += "'\\''";
+    else
+      quoted += c;
+  }
   quoted += '\'';
   return quoted;
 }
