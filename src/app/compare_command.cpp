@@ -26,6 +26,8 @@
 namespace jalousie::app {
 namespace {
 
+constexpr std::uint64_t kMaxProgramBytes = 1ULL << 30U;
+
 volatile std::sig_atomic_t interrupted = 0;
 
 /// The first signal asks for an end after the step, the second one ends at once.
@@ -34,7 +36,7 @@ class InterruptGuard {
   InterruptGuard() {
     struct sigaction action = {};
     action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     for (std::size_t i = 0; i < std::size(kSignals); ++i)
       sigaction(kSignals[i], &action, &before_[i]);
   }
@@ -101,18 +103,41 @@ compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path)
 }
 
 /// A report replaces a report, and nothing else.
-void prepareFolder(const std::filesystem::path& folder, bool resume) {
+void prepareFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
+  if (error || !std::filesystem::is_directory(folder, error))
     throw Error(ErrorCode::kWriteFailed, "the folder cannot be made", folder);
-  const bool report = std::filesystem::exists(folder / compare::kLogName);
-  if (!report && !std::filesystem::is_empty(folder))
+  const bool empty = std::filesystem::is_empty(folder, error);
+  if (error) throw Error(ErrorCode::kWriteFailed, error.message(), folder);
+  if (!empty && !compare::holdsLog(folder))
     throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", folder);
-  if (resume) return;
-  std::filesystem::remove_all(folder / "pictures", error);
+}
+
+/// Whether a file is one that compare writes: FRAME-NAME-KIND.png, KEY-FRAME.png.
+bool isPicture(const std::string& name) {
+  const bool digits = name.size() > 5 && name.find_first_not_of("0123456789") >= 5;
+  return digits && (name.ends_with("-image.png") || name.ends_with("-error.png") || name.ends_with("-lod.png"));
+}
+bool isReference(const std::string& name) {
+  return name.size() >= 26 && name[16] == '-' && name.find_first_not_of("0123456789abcdef") == 16 &&
+         name.ends_with(".png");
+}
+
+/// Removes what an earlier experiment left, but for references that serve this one.
+void removeOldReport(const std::filesystem::path& folder, const std::string& referenceKey) {
+  std::error_code error;
   for (const char* name : {"index.html", "summary.json", "frames.csv"})
     std::filesystem::remove(folder / name, error);
+  const auto sweep = [&](const char* name, const auto& isOld) {
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / name, error))
+      if (isOld(entry.path().filename().string())) old.push_back(entry.path());
+    for (const std::filesystem::path& file : old)
+      std::filesystem::remove(file, error);
+  };
+  sweep("pictures", isPicture);
+  sweep("references", [&](const std::string& name) { return isReference(name) && !name.starts_with(referenceKey); });
 }
 
 std::string duration(double seconds) {
@@ -188,16 +213,18 @@ int runCompare(const CompareOptions& options) {
 
   const platform::HeadlessContext context(/*debug=*/false);
   plan.renderer = context.capabilities().renderer;
+  plan.build = compare::digestOf(readFile("/proc/self/exe", kMaxProgramBytes));
   plan.gpuTiming = !context.capabilities().softwareRenderer;
   if (!options.quiet) {
     if (plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
     if (patches) warnTessellationLimit(options.scene, *patches, context.capabilities(), gpu::kMaxTessellationLevel);
   }
-  prepareFolder(options.output, options.resume);
+  prepareFolder(options.output);
   const compare::Scenes scenes{plain, patches ? &*patches : nullptr};
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   compare::Experiment experiment(scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume);
 
+  if (experiment.stepsDone() == 0) removeOldReport(options.output, experiment.referenceKey());
   const InterruptGuard guard;
   {
     RunProgress progress(experiment, options.quiet);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/option_checks.h"
 #include "app/option_values.h"
 #include "core/error.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::uint32_t kMostKept = 20;
 constexpr std::size_t kMostTaus = 24;
+constexpr float kMostTau = 1000.0F;
+constexpr std::size_t kMostConfigurations = 16;
 
 [[noreturn]] void refuse(const std::string& reason) {
   throw Error(ErrorCode::kUsage, reason);
@@ -60,10 +63,11 @@ std::vector<float> parseSweep(const std::string& text) {
     for (const std::string& value : split(values, ','))
       taus.push_back(number<float>(value, "--sweep"));
   }
+  if (!std::all_of(taus.begin(), taus.end(), [](float tau) { return tau > 0.0F && tau <= kMostTau; }))
+    refuse(fmt::format("--sweep {}: tau is in (0, {}]", text, kMostTau));
   std::sort(taus.begin(), taus.end());
   taus.erase(std::unique(taus.begin(), taus.end()), taus.end());
   if (taus.size() > kMostTaus) refuse(fmt::format("--sweep {}: more than {} values", text, kMostTaus));
-  if (!(taus.front() > 0.0F) || !(taus.back() <= 1000.0F)) refuse(fmt::format("--sweep {}: tau is in (0, 1000]", text));
   return taus;
 }
 
@@ -71,6 +75,8 @@ void CompareOptions::finish() {
   chosen = chosenConfigurations(configurations);
   for (const std::string& text : moreConfigurations)
     chosen.push_back(parseConfiguration(text));
+  if (chosen.size() > kMostConfigurations)
+    throw Error(ErrorCode::kLimit, fmt::format("{} configurations, at most {}", chosen.size(), kMostConfigurations));
   const auto file = [](const std::string& name) { return compare::pictureName(0, name, compare::Picture::kImage); };
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const std::string& name = chosen[i].name;
@@ -137,7 +143,7 @@ void addCompareOptions(CLI::App& command, CompareOptions& o) {
       ->check(CLI::Range(0U, 1000U))
       ->capture_default_str();
   command.add_option("--ppd", o.pixelsPerDegree, "Pixels per degree of visual angle, for FLIP [67.02]")
-      ->check(CLI::Range(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
+      ->check(inRange(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
   command.add_flag("--resume", o.resume, "Go on with the interrupted report in REPORT");
   command.add_option("--json", o.json, "- writes summary.json to standard output as well")
       ->check(CLI::IsMember({"-"}))

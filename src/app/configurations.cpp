@@ -46,7 +46,6 @@ constexpr Set kSets[] = {
 };
 
 constexpr std::uint64_t kMaxFileBytes = 1U << 20U;
-constexpr std::size_t kMaxConfigurations = 16;
 
 void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
   for (const Set& set : kSets) {
@@ -92,8 +91,6 @@ std::vector<ConfigurationText> chosenConfigurations(const std::string& list) {
       add(chosen, name);
   }
   if (chosen.empty()) throw Error(ErrorCode::kUsage, "no configuration is chosen", list);
-  if (chosen.size() > kMaxConfigurations)
-    throw Error(ErrorCode::kLimit, fmt::format("{} configurations, at most {}", chosen.size(), kMaxConfigurations));
   return chosen;
 }
 

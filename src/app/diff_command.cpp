@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/option_checks.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -36,7 +37,7 @@ void addDiffOptions(CLI::App& command, DiffOptions& o) {
   command
       .add_option("--ppd", o.pixelsPerDegree,
                   "Pixels per degree of visual angle [67.02: 0.7 m from a 0.7 m wide 4K monitor]")
-      ->check(CLI::Range(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
+      ->check(inRange(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
   command.footer(R"(Alpha is ignored.
 Examples:
   jalousie diff full.png lod.png

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
+#include "app/option_checks.h"
 #include "app/option_values.h"
 #include "asset/camera_write.h"
 #include "core/check.h"
@@ -121,13 +122,12 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
         help);
   };
   orbit("--orbit", o.orbitDegrees, "Without --key: turn around the scene by this angle, degrees [360]")
-      ->check(CLI::Range(-36000.0F, 36000.0F));
-  orbit("--elevation", o.elevationDegrees, "Height of the orbit, degrees [15]")->check(CLI::Range(-89.0F, 89.0F));
-  orbit("--distance", o.distance, "Of the orbit; 1: the whole scene is in view [1]")
-      ->check(CLI::Range(0.001F, 1000.0F));
+      ->check(inRange(-36000.0, 36000.0));
+  orbit("--elevation", o.elevationDegrees, "Height of the orbit, degrees [15]")->check(inRange(-89.0, 89.0));
+  orbit("--distance", o.distance, "Of the orbit; 1: the whole scene is in view [1]")->check(inRange(0.001, 1000.0));
   orbit("--frames", o.frames, "Length of the orbit [300]")->check(CLI::Range(1U, kMostFrames));
   command.add_option("--fov", o.fovDegrees, "Vertical field of view, degrees")
-      ->check(CLI::Range(1.0F, 170.0F))
+      ->check(inRange(1.0, 170.0))
       ->capture_default_str();
   command.add_flag("-q,--quiet", o.quiet, "No summary");
   command.footer(R"(Examples:

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/option_checks.h"
 #include "app/option_values.h"
 #include "core/error.h"
 
@@ -128,11 +129,11 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
             options.tauGiven = true;
           },
           "Error that --lod pixel-error and lv-error allow, pixels [1]")
-      ->check(CLI::Range(0.0F, 1000.0F));
+      ->check(inRange(0.0, 1000.0));
   command
       .add_option("--min-pixels", options.frameOptions.minPixels,
                   "Contribution culling: leave out objects whose rectangle covers fewer pixels; 0 = none")
-      ->check(CLI::Range(0.0F, 1e6F))
+      ->check(inRange(0.0, 1e6))
       ->capture_default_str();
   command
       .add_option(
@@ -155,7 +156,7 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
             options.relaxGiven = true;
           },
           "With --lod lv-error, tau grows with (visible share)^(-1/4), up to 1 + RELAX times [64]")
-      ->check(CLI::Range(0.0F, 1000.0F));
+      ->check(inRange(0.0, 1000.0));
   command.add_flag(
       "--calm", options.frameOptions.calm,
       "Levels keep within a margin of the budget, change one at a time and are cross-faded, as in a moving "
@@ -175,11 +176,11 @@ void addMethodOptions(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--occluder-tau", options.frameOptions.occluderTau,
                   "Error of the levels drawn into the occlusion map, pixels [hom: 0, hom-depth: 0.5]")
-      ->check(CLI::Range(0.0F, 1000.0F));
+      ->check(inRange(0.0, 1000.0));
   command
       .add_option("--cull-threshold", options.frameOptions.cullThreshold,
                   "Opacity from which a texel of the map hides; below 1 visible pixels can be lost")
-      ->check(CLI::Range(0.01F, 1.0F))
+      ->check(inRange(0.01, 1.0))
       ->capture_default_str();
   command
       .add_option("--draws", options.draws,

@@ -115,8 +115,6 @@ Experiment::Experiment(const Scenes& scenes, const asset::Camera& path,
   for (const std::uint32_t frame : kept)
     for (const float tau : plan.taus)
       if (sweeps) steps_.push_back({StepKind::kSweep, frame, tau});
-  for (const char* name : {"pictures", "references"})
-    std::filesystem::create_directories(folder_ / name);
   done_ = resume ? readLog(folder_, fingerprint, results_) : 0;
   for (const Sample& sample : results_.samples)
     if (sample.configuration >= configurations.size())
@@ -124,6 +122,11 @@ Experiment::Experiment(const Scenes& scenes, const asset::Camera& path,
   if (done_ > steps_.size())
     throw Error(ErrorCode::kUsage, "holds more than this experiment; leave out --resume to start over", folder_);
   if (done_ == 0) startLog(folder_, fingerprint);
+  for (const char* name : {"pictures", "references"}) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_ / name, error);
+    if (error) throw Error(ErrorCode::kWriteFailed, error.message(), folder_ / name);
+  }
   results_.complete = done_ == steps_.size();
 }
 
@@ -194,10 +197,11 @@ render::FrameRenderer& Experiment::referenceRenderer() {
 void Experiment::approach(render::FrameRenderer& renderer, const render::FrameOptions& options, std::uint32_t frame) {
   renderer.timer().setTiming(gl::Timing::kOff);
   renderer.resetHistory();
-  if (!remembers(options)) return;
   render::FrameOptions quiet = options;
   quiet.skipDraw = true;
-  for (std::uint32_t k = frame - std::min(frame, plan_.lead); k < frame; ++k)
+  // What remembers nothing still needs a frame before, whose levels it may leave.
+  const std::uint32_t lead = remembers(options) ? plan_.lead : std::min(plan_.lead, 1U);
+  for (std::uint32_t k = frame - std::min(frame, lead); k < frame; ++k)
     renderer.render(quiet, camera(k), camera(k));
 }
 
@@ -280,6 +284,7 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
   if (continuous) catchUp(frame);
   std::vector<Sample> samples(configurations_.size());
   std::vector<ImageRgba8> images(configurations_.size());
+  const bool hasPredecessor = continuous ? frame > plan_.range.first : std::min(frame, plan_.lead) > 0;
   const std::size_t offset = (frame - plan_.range.first) / plan_.range.step;
   for (std::size_t turn = 0; turn < configurations_.size(); ++turn) {
     // Another one goes first in every frame: none always follows the same neighbour.
@@ -291,6 +296,7 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
     if (!pictures) continue;
     images[c] = renderer(c).readImage();
     countSwitches(renderer(c), samples[c]);
+    if (!hasPredecessor) samples[c].switched.reset();
   }
   if (!pictures) return samples;
   const bool follows = continuous && frame > plan_.range.first;

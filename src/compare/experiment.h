@@ -58,6 +58,7 @@ struct Plan {
   double pixelsPerDegree = kDefaultPixelsPerDegree;
   bool gpuTiming = false;  ///< timestamps on the GPU; off: wall time between glFinish, for software renderers
   std::string renderer;    ///< GL_RENDERER: pictures and times of two drivers never mix
+  std::string build;       ///< digest of the program: nor do those of two builds
 
   /// Frames whose pictures are kept; none without a reference.
   std::vector<std::uint32_t> keptFrames() const;
@@ -139,6 +140,8 @@ class Experiment {
   void runStep();
 
   const Results& results() const { return results_; }
+  /// What the names of this experiment's reference pictures begin with.
+  const std::string& referenceKey() const { return referenceKey_; }
 
  private:
   enum class StepKind { kFrame, kKeep, kSweep };

@@ -1,13 +1,10 @@
 // The log's format: a head with the fingerprint, then one object per step.
 #include "compare/experiment_log.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -76,6 +73,7 @@ void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& pa
   hash.value(plan.height);
   hash.value(plan.reference);
   hash.text(plan.renderer);
+  hash.text(plan.build);
 }
 
 json toJson(const Sample& sample) {
@@ -231,13 +229,21 @@ void appendLog(const std::filesystem::path& folder, const Results& step) {
     line["kept"].push_back(toJson(sample));
   for (const SweepSample& sample : step.sweep)
     line["sweep"].push_back(toJson(sample));
-  const std::string text = line.dump() + "\n";
-  const int file = ::open(logFile(folder).c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-  const bool written = file >= 0 && ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-                       ::fdatasync(file) == 0;
-  const int reason = errno;
-  if (file >= 0) ::close(file);
-  if (!written) throw Error(ErrorCode::kWriteFailed, std::strerror(reason), logFile(folder));
+  appendToFile(logFile(folder), line.dump() + "\n");
+}
+
+bool holdsLog(const std::filesystem::path& folder) {
+  std::ifstream file(logFile(folder));
+  std::string head;
+  if (!std::getline(file, head)) return false;
+  const json line = json::parse(head, nullptr, /*allow_exceptions=*/false);
+  return line.is_object() && line.contains("log") && line.contains("experiment");
+}
+
+std::string digestOf(std::span<const std::byte> bytes) {
+  Hash hash;
+  hash.bytes(bytes);
+  return hash.digits();
 }
 
 std::size_t readLog(const std::filesystem::path& folder, const std::string& fingerprint, Results& results) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "compare/experiment.h"
@@ -19,6 +20,12 @@ std::string referenceFingerprint(const scene::SceneData& scene, const asset::Cam
 /// The same of everything that decides an experiment's figures and steps.
 std::string experimentFingerprint(const scene::SceneData& scene, const asset::Camera& path,
                                   const std::vector<Configuration>& configurations, const Plan& plan);
+
+/// Whether the folder holds a log of ours, of whatever experiment.
+bool holdsLog(const std::filesystem::path& folder);
+
+/// 16 hexadecimal digits that change with the bytes.
+std::string digestOf(std::span<const std::byte> bytes);
 
 /// Starts a new log in folder, replacing one that is there. Errors: kWriteFailed.
 void startLog(const std::filesystem::path& folder, const std::string& fingerprint);

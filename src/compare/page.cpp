@@ -83,7 +83,9 @@ double estimatedBytes(const std::vector<Kept>& pictures, const PictureFormat& fo
 /// Fills the pictures' texts. @return what the page says about them
 std::string embed(const std::vector<Kept>& pictures, std::uint64_t room, const ordered_json& summary) {
   if (pictures.empty()) return {};
+  const double longest = std::max(summary.at("width").get<double>(), summary.at("height").get<double>());
   for (const PictureFormat& format : pictureFormats()) {
+    if (std::lround(format.scale * longest) > kMostWebpSide) continue;
     const bool last = &format == &pictureFormats().back();
     if (!last && estimatedBytes(pictures, format) > static_cast<double>(room)) continue;
     if (!encodeAll(pictures, format, room)) continue;

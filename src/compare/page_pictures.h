@@ -16,6 +16,9 @@ struct PictureFormat {
   float quality = 90.0F;  ///< of WebP, 0 to 100
 };
 
+/// Longest side that WebP can store, pixels.
+inline constexpr long kMostWebpSide = 16383;
+
 /// From best to smallest.
 std::span<const PictureFormat> pictureFormats();
 

@@ -83,8 +83,9 @@ ordered_json poppingJson(const Results& results, const std::vector<const Sample*
   double visible = 0.0;
   double switched = 0.0;
   for (const Sample* sample : samples) {
+    if (!sample->switched) continue;
     visible += static_cast<double>(sample->visible.value_or(0));
-    switched += static_cast<double>(sample->switched.value_or(0));
+    switched += static_cast<double>(*sample->switched);
   }
   json["switches_per_visible_object"] = visible > 0.0 ? ordered_json(switched / visible) : ordered_json(nullptr);
   std::vector<double> frozen;
@@ -392,7 +393,8 @@ std::string framesCsv(const Results& results, const std::vector<Configuration>& 
                         csvField(configurations[sample.configuration].name), s.triangles, s.draws, s.drawn,
                         s.drawnEarly, s.drawnStale, s.culledFrustum, s.culledOcclusion, s.culledSmall, s.occluders,
                         s.switches, s.fading, s.dropped);
-    text += sample.visible ? fmt::format("{},{}", *sample.visible, sample.switched.value_or(0)) : ",";
+    text += sample.visible ? fmt::format("{},", *sample.visible) : ",";
+    if (sample.switched) text += fmt::format("{}", *sample.switched);
     text += sample.error
                 ? fmt::format(",{:.6f},{:.4f},{:.6f}", sample.error->flip, sample.error->psnr, sample.error->ssim)
                 : ",,,";

@@ -97,4 +97,12 @@ void writeFileAtomic(const std::filesystem::path& path, std::string_view text) {
   writeFileAtomic(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
+void appendToFile(const std::filesystem::path& path, std::string_view text) {
+  errno = 0;
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  const bool written = file.valid() && writeAll(file.get(), std::as_bytes(std::span(text.data(), text.size()))) &&
+                       ::fdatasync(file.get()) == 0;
+  if (!written) throw Error(ErrorCode::kWriteFailed, std::strerror(errno != 0 ? errno : ENOSPC), path);
+}
+
 }  // namespace jalousie

@@ -19,4 +19,7 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomic(const std::filesystem::path& path, std::string_view text);
 
+/// Adds text to a file that exists, and waits until it is on the disk. Errors: kWriteFailed; a part may be written.
+void appendToFile(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace jalousie

@@ -181,6 +181,24 @@ TEST_F(CompareCommand, FramesAreTheSameInEveryRunAndHoweverItIsInterrupted) {
   }
 }
 
+TEST_F(CompareCommand, AReportReplacesAReportAndLeavesOtherFilesAlone) {
+  const std::vector<std::string> words = {"compare", file("scene.glb"), "--configs", "hom+lv",
+                                          "--size",  "64x36",           "--keep",    "1",
+                                          "-o",      file("twice"),     "--quiet"};
+  ASSERT_EQ(jalousie(with(words, {"--frames", "1100:1300:50"})).exitCode, 0);
+  const json first = jsonOf(file("twice/summary.json"));
+  EXPECT_GT(first["configurations"][0]["popping"]["switches_per_visible_object"], 0.0)
+      << "levels switch from the frame before, though nothing else is remembered of it";
+  std::ofstream(file("twice/pictures/mine.png")) << "not yours";
+  ASSERT_EQ(jalousie(with(words, {"--frames", "0"})).exitCode, 0);
+  EXPECT_EQ(jsonOf(file("twice/summary.json"))["frames"]["kept"], json({0}));
+  EXPECT_TRUE(
+      jsonOf(file("twice/summary.json"))["configurations"][0]["popping"]["switches_per_visible_object"].is_null());
+  EXPECT_EQ(textOf(file("twice/pictures/mine.png")), "not yours");
+  EXPECT_FALSE(std::filesystem::exists(file("twice/pictures/01200-hom+lv-image.png")));
+  EXPECT_TRUE(std::filesystem::exists(file("twice/pictures/00000-hom+lv-image.png")));
+}
+
 TEST_F(CompareCommand, AnotherExperimentIsNotResumed) {
   ASSERT_EQ(report_.exitCode, 0);
   const ProgramResult other =
@@ -234,6 +252,9 @@ TEST_F(CompareCommand, WithoutAReferenceOnlyCullingRuns) {
 TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
   std::filesystem::create_directory(file("mine"));
   std::ofstream(file("mine/letter.txt")) << "dear reader";
+  std::filesystem::create_directory(file("mine2"));
+  std::ofstream(file("mine2/run.jsonl")) << "{\"loss\": 0.5}\n";
+  std::filesystem::create_directory(file("mine2/pictures"));
   std::ofstream(file("broken.json")) << "{\"configurations\": [{\"options\": \"\"}]}";
   struct Case {
     std::vector<std::string> words;
@@ -258,6 +279,12 @@ TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
            {{"compare", scene, "-o", file("x"), "--frames", "0:1800"}, 2},
            {{"compare", scene, "-o", file("x"), "--sweep", "tau=0:1"}, 2},
            {{"compare", scene, "-o", file("x"), "--sweep", "relax=1:2"}, 2},
+           {{"compare", scene, "-o", file("x"), "--sweep", "tau=1,nan,2"}, 2},
+           {{"compare", scene, "-o", file("x"), "--ppd", "nan"}, 2},
+           {{"render", scene, "--tau", "nan", "--stats-only"}, 2},
+           {{"diff", scene, scene, "--ppd", "nan"}, 2},
+           {{"record", scene, "-o", file("p.glb"), "--fov", "nan"}, 2},
+           {{"compare", scene, "-o", file("mine2")}, 2},
            {{"compare", scene, "-o", file("x"), "--sweep", "tau=1", "--reference", "none"}, 2},
            {{"compare", scene, "-o", file("x"), "--camera", "7"}, 2},
            {{"compare", scene, "-o", file("x"), "--size", "4x4"}, 2},
@@ -279,6 +306,8 @@ TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
   EXPECT_FALSE(std::filesystem::exists(file("x")));
   EXPECT_FALSE(std::filesystem::exists(file("p.glb")));
   EXPECT_EQ(textOf(file("mine/letter.txt")), "dear reader");
+  EXPECT_EQ(textOf(file("mine2/run.jsonl")), "{\"loss\": 0.5}\n");
+  EXPECT_TRUE(std::filesystem::exists(file("mine2/pictures")));
 }
 
 TEST_F(CompareCommand, ConfigurationsComeFromAFileToo) {

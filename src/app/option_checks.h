@@ -1,0 +1,22 @@
+// Checks of option values that CLI11 lacks.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace jalousie::app {
+
+/// A number in [least, most]; unlike CLI::Range it refuses NaN.
+inline CLI::Validator inRange(double least, double most) {
+  const std::string range = fmt::format("FLOAT in [{:g} - {:g}]", least, most);
+  return {[least, most, range](std::string& text) {
+            double value = 0.0;
+            const bool inside = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return inside ? std::string() : fmt::format("Value {} not in range {}", text, range);
+          },
+          range};
+}
+
+}  // namespace jalousie::app
