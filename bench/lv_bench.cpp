@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "asset/scene_file.h"
+#include "compare/experiment.h"
 #include "compare/image_error.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -234,27 +235,6 @@ scene::Camera turned(const scene::Camera& camera, const glm::vec3& center, float
   return result;
 }
 
-/// Objects that the picture shows, and those of them that changed their level in this frame.
-struct Switches {
-  double visible = 0.0;
-  double switched = 0.0;
-};
-
-Switches countSwitches(render::FrameRenderer& renderer) {
-  const std::vector<gpu::uint> marks = renderer.readMarks();
-  renderer.renderIds();
-  std::vector<bool> seen(marks.size() + 1);
-  for (const std::uint32_t id : renderer.readIds())
-    seen[id] = true;
-  Switches result;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (!seen[i + 1]) continue;
-    result.visible += 1.0;
-    result.switched += (marks[i] & gpu::kMarkSwitched) != 0 ? 1.0 : 0.0;
-  }
-  return result;
-}
-
 struct Change {
   double pixels = 0.0;  ///< largest change of one object, in pixels from black to white
   double share = 0.0;   ///< the same over the object's pixels
@@ -316,9 +296,9 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
       renderer.render(options, camera, camera);
       if (frame <= kWarmUp) continue;
       const render::FrameStatistics statistics = renderer.readStatistics();
-      const Switches now = countSwitches(renderer);
-      switches += now.switched;
-      visible += now.visible;
+      const compare::Switches now = compare::countSwitches(renderer);
+      switches += static_cast<double>(now.switched);
+      visible += static_cast<double>(now.visible);
       triangles += static_cast<double>(statistics.triangles) / (kFrames - 1);
       fading +=
           static_cast<double>(statistics.fading) / static_cast<double>(std::max<std::uint64_t>(statistics.drawn, 1));
@@ -355,9 +335,9 @@ void calm(const scene::SceneData& scene, const std::string& name, const std::str
           start.worldFromCamera;
       renderer.render(options, camera, camera);
       if (frame < kJitterWarmUp) continue;
-      const Switches now = countSwitches(renderer);
-      switches += now.switched;
-      visible += now.visible;
+      const compare::Switches now = compare::countSwitches(renderer);
+      switches += static_cast<double>(now.switched);
+      visible += static_cast<double>(now.visible);
     }
     std::printf("| %s%s | %.3f %% | %.4f %% | %.2f %% | %.0f | %.2f, %.4f |\n", row.configuration.name,
                 row.calm ? ", calm" : "", 100.0 * onPath, 100.0 * switches / visible, 100.0 * fades, triangles,

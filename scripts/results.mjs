@@ -36,7 +36,7 @@ const table = (head, rows) =>
 function draw(file, option) {
   const chart = echarts.init(null, null, { renderer: 'svg', ssr: true, width: 900, height: 380 });
   const text = { color: '#333', fontSize: 11, fontFamily: 'DejaVu Sans, Arial, sans-serif' };
-  const axis = (given) => ({ nameLocation: 'middle', nameTextStyle: text, axisLabel: { ...text, ...given.axisLabel },
+  const axis = (given) => ({ nameLocation: 'middle', nameTextStyle: text,
     splitLine: { lineStyle: { color: '#ddd' } }, ...given, axisLabel: { ...text, ...given.axisLabel } });
   chart.setOption({ animation: false, backgroundColor: '#fff', color: COLORS,
     grid: { left: 70, right: 20, top: 60, bottom: 50 }, legend: { textStyle: text, itemWidth: 26, itemGap: 24, top: 5 },

@@ -114,32 +114,6 @@ void prepareFolder(const std::filesystem::path& folder) {
     throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", folder);
 }
 
-/// Whether a file is one that compare writes: FRAME-NAME-KIND.png, KEY-FRAME.png.
-bool isPicture(const std::string& name) {
-  const bool digits = name.size() > 5 && name.find_first_not_of("0123456789") >= 5;
-  return digits && (name.ends_with("-image.png") || name.ends_with("-error.png") || name.ends_with("-lod.png"));
-}
-bool isReference(const std::string& name) {
-  return name.size() >= 26 && name[16] == '-' && name.find_first_not_of("0123456789abcdef") == 16 &&
-         name.ends_with(".png");
-}
-
-/// Removes what an earlier experiment left, but for references that serve this one.
-void removeOldReport(const std::filesystem::path& folder, const std::string& referenceKey) {
-  std::error_code error;
-  for (const char* name : {"index.html", "summary.json", "frames.csv"})
-    std::filesystem::remove(folder / name, error);
-  const auto sweep = [&](const char* name, const auto& isOld) {
-    std::vector<std::filesystem::path> old;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / name, error))
-      if (isOld(entry.path().filename().string())) old.push_back(entry.path());
-    for (const std::filesystem::path& file : old)
-      std::filesystem::remove(file, error);
-  };
-  sweep("pictures", isPicture);
-  sweep("references", [&](const std::string& name) { return isReference(name) && !name.starts_with(referenceKey); });
-}
-
 std::string duration(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
@@ -224,7 +198,11 @@ int runCompare(const CompareOptions& options) {
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   compare::Experiment experiment(scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume);
 
-  if (experiment.stepsDone() == 0) removeOldReport(options.output, experiment.referenceKey());
+  if (experiment.stepsDone() == 0) {
+    std::error_code gone;
+    for (const char* name : {"index.html", "summary.json", "frames.csv"})
+      std::filesystem::remove(options.output / name, gone);
+  }
   const InterruptGuard guard;
   {
     RunProgress progress(experiment, options.quiet);

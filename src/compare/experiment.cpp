@@ -29,24 +29,6 @@ bool remembers(const render::FrameOptions& options) {
   return options.cullMode == gpu::kCullHiz || options.lvMeasure == gpu::kLvPixels || options.calm;
 }
 
-/// Objects that the last picture shows, and those of them that changed their level.
-void countSwitches(render::FrameRenderer& renderer, Sample& sample) {
-  const std::vector<gpu::uint> marks = renderer.readMarks();
-  renderer.renderIds();
-  std::vector<bool> seen(marks.size() + 1);
-  for (const std::uint32_t id : renderer.readIds())
-    seen[id] = true;
-  std::uint64_t visible = 0;
-  std::uint64_t switched = 0;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (!seen[i + 1]) continue;
-    ++visible;
-    switched += (marks[i] & gpu::kMarkSwitched) != 0 ? 1 : 0;
-  }
-  sample.visible = visible;
-  sample.switched = switched;
-}
-
 /// Mean difference between what changes in a picture and what changes in the reference.
 double temporalError(const FlipImage& before, const FlipImage& after, const std::vector<float>& motion) {
   std::vector<float> moved = flipMap(before, after);
@@ -55,12 +37,53 @@ double temporalError(const FlipImage& before, const FlipImage& after, const std:
   return mean(moved);
 }
 
+/// Whether a file is one that pictureName() names.
+bool isPicture(const std::string& name) {
+  const bool digits = name.size() > 5 && name.find_first_not_of("0123456789") >= 5;
+  return digits && (name.ends_with("-image.png") || name.ends_with("-error.png") || name.ends_with("-lod.png"));
+}
+
+/// KEY-FRAME.png, the key of 16 digits.
+bool isReference(const std::string& name) {
+  return name.size() >= 26 && name[16] == '-' && name.find_first_not_of("0123456789abcdef") == 16 &&
+         name.ends_with(".png");
+}
+
+/// Removes what an earlier experiment left, but for references that serve this one.
+void removeOldPictures(const std::filesystem::path& folder, const std::string& referenceKey) {
+  std::error_code error;
+  const auto remove = [&](const char* name, const auto& isOld) {
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / name, error))
+      if (isOld(entry.path().filename().string())) old.push_back(entry.path());
+    for (const std::filesystem::path& file : old)
+      std::filesystem::remove(file, error);
+  };
+  remove("pictures", isPicture);
+  remove("references", [&](const std::string& name) { return isReference(name) && !name.starts_with(referenceKey); });
+}
+
 void forgetOldest(auto& entries, std::uint32_t kept) {
   while (entries.size() > kReferencesInMemory)
     entries.erase(entries.begin()->first != kept ? entries.begin() : std::prev(entries.end()));
 }
 
 }  // namespace
+
+Switches countSwitches(render::FrameRenderer& renderer) {
+  const std::vector<gpu::uint> marks = renderer.readMarks();
+  renderer.renderIds();
+  std::vector<bool> seen(marks.size() + 1);
+  for (const std::uint32_t id : renderer.readIds())
+    seen[id] = true;
+  Switches result;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (!seen[i + 1]) continue;
+    ++result.visible;
+    result.switched += (marks[i] & gpu::kMarkSwitched) != 0 ? 1 : 0;
+  }
+  return result;
+}
 
 std::vector<std::uint32_t> FrameRange::frames() const {
   JAL_CHECK(step > 0U);
@@ -127,6 +150,7 @@ Experiment::Experiment(const Scenes& scenes, const asset::Camera& path,
     std::filesystem::create_directories(folder_ / name, error);
     if (error) throw Error(ErrorCode::kWriteFailed, error.message(), folder_ / name);
   }
+  if (done_ == 0) removeOldPictures(folder_, referenceKey_);
   results_.complete = done_ == steps_.size();
 }
 
@@ -295,8 +319,9 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
     samples[c] = measure(c, options, frame);
     if (!pictures) continue;
     images[c] = renderer(c).readImage();
-    countSwitches(renderer(c), samples[c]);
-    if (!hasPredecessor) samples[c].switched.reset();
+    const Switches switches = countSwitches(renderer(c));
+    samples[c].visible = switches.visible;
+    if (hasPredecessor) samples[c].switched = switches.switched;
   }
   if (!pictures) return samples;
   const bool follows = continuous && frame > plan_.range.first;

@@ -77,6 +77,14 @@ struct Sample {
   std::optional<double> temporal;                      ///< as KeptSample::temporal; absent where frames are left out
 };
 
+/// Objects that a picture shows, and those of them at another level than in the frame before.
+struct Switches {
+  std::uint64_t visible = 0;
+  std::uint64_t switched = 0;
+};
+/// Of the renderer's last frame; draws its object numbers and waits for them.
+Switches countSwitches(render::FrameRenderer& renderer);
+
 /// What a kept frame tells beside its pictures.
 struct KeptSample {
   std::uint32_t frame = 0;
@@ -140,8 +148,6 @@ class Experiment {
   void runStep();
 
   const Results& results() const { return results_; }
-  /// What the names of this experiment's reference pictures begin with.
-  const std::string& referenceKey() const { return referenceKey_; }
 
  private:
   enum class StepKind { kFrame, kKeep, kSweep };
