@@ -17,6 +17,7 @@
 #include "asset/gltf_file.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "support/error_code.h"
 
 namespace jalousie::test {
 
@@ -45,17 +46,6 @@ class TempFolder {
  private:
   std::filesystem::path path_;
 };
-
-/// Code of the Error a call throws; nullopt if it returns.
-template <class Call>
-std::optional<ErrorCode> codeOf(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return std::nullopt;
-}
 
 inline void appendWord(std::string& out, std::uint32_t value) {
   std::array<char, 4> bytes{};

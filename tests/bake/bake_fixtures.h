@@ -11,23 +11,13 @@
 #include "bake/mesh_edges.h"
 #include "bake/wedge_mesh.h"
 #include "core/error.h"
+#include "support/error_code.h"
 #include "support/scenes.h"
 
 namespace jalousie::test {
 
 inline std::span<const std::byte> bytesOf(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-/// Code of the Error a call throws; nullopt if it returns.
-template <class Call>
-std::optional<ErrorCode> bakeErrorOf(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return std::nullopt;
 }
 
 inline bake::CombinedMesh combined(const asset::Primitive& source) {

@@ -213,10 +213,10 @@ TEST(Subdivide, NonManifoldAndTexturedMeshesAreRefused) {
   fan.normals.assign(5, {0, 1, 0});
   fan.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
   CombinedMesh nonManifold = combined(fan);
-  EXPECT_EQ(test::bakeErrorOf([&] { subdivideMesh(nonManifold, 1); }), ErrorCode::kUnsupported);
+  EXPECT_EQ(test::codeOf([&] { subdivideMesh(nonManifold, 1); }), ErrorCode::kUnsupported);
   CombinedMesh textured = combined(test::sphere(8, 4));
   textured.primitives[0].attributes.push_back({"TEXCOORD_0", 2, std::vector<float>(2 * textured.positions.size())});
-  EXPECT_EQ(test::bakeErrorOf([&] { subdivideMesh(textured, 1); }), ErrorCode::kUnsupported);
+  EXPECT_EQ(test::codeOf([&] { subdivideMesh(textured, 1); }), ErrorCode::kUnsupported);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace jalousie::bake {
 namespace {
 
-using test::bakeErrorOf;
+using test::codeOf;
 using test::bytesOf;
 
 const std::string kTwoQuads =
@@ -47,7 +47,7 @@ TEST(ObjReader, HostileFilesAreErrors) {
        {"", "v 0 0 0\n", "f 1 2 3\n", "v 0 0 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/7 2/7 3/7\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//4 2//4 3//4\n", "\x01\x02\x03", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"})
-    EXPECT_EQ(bakeErrorOf([&] { readObj(bytesOf(text), "x.obj"); }), ErrorCode::kMalformed) << text;
+    EXPECT_EQ(codeOf([&] { readObj(bytesOf(text), "x.obj"); }), ErrorCode::kMalformed) << text;
 }
 
 TEST(ObjReader, EveryTruncationAndByteFlipIsAnErrorOrAValidMesh) {

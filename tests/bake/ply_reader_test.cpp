@@ -11,7 +11,7 @@
 namespace jalousie::bake {
 namespace {
 
-using test::bakeErrorOf;
+using test::codeOf;
 using test::bytesOf;
 
 TriangleMesh read(const std::string& text) {
@@ -125,7 +125,7 @@ TEST(PlyReader, HostileFilesAreRefusedByCode) {
       {"unknown keyword", header("comment", "command"), ErrorCode::kMalformed},
   };
   for (const Case& c : cases)
-    EXPECT_EQ(bakeErrorOf([&] { read(c.text); }), c.code) << c.name;
+    EXPECT_EQ(codeOf([&] { read(c.text); }), c.code) << c.name;
 }
 
 /// Any damage gives an Error or a mesh that is in range; the sanitizer build watches the rest.

@@ -18,6 +18,7 @@
 
 #include "core/error.h"
 #include "scene/scene_data.h"
+#include "support/error_code.h"
 #include "support/run_program.h"
 #include "support/scenes.h"
 
@@ -25,6 +26,7 @@ namespace jalousie::compare {
 namespace {
 
 namespace fs = std::filesystem;
+using test::codeOf;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr const char* kFingerprint = "0123456789abcdef";
@@ -37,16 +39,6 @@ std::string textOf(const fs::path& file) {
 
 void writeText(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
-}
-
-template <class Call>
-std::optional<ErrorCode> codeOf(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return std::nullopt;
 }
 
 /// Every figure another number, so that none can stand for another.
