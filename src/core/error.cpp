@@ -36,6 +36,8 @@ std::string_view errorName(ErrorCode code) {
       return "no-gpu";
     case ErrorCode::kShader:
       return "shader";
+    case ErrorCode::kSomeFailed:
+      return "some-failed";
     case ErrorCode::kInternal:
       return "internal";
   }

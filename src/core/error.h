@@ -19,6 +19,7 @@ enum class ErrorCode : int {
   kWriteFailed = 8,     ///< the output could not be written; what was there before is intact
   kNoGpu = 9,           ///< no OpenGL 4.5 context could be made
   kShader = 10,         ///< a shader does not compile or link
+  kSomeFailed = 11,     ///< some jobs of a batch failed, each with a code of its own; the others are done
   kInternal = 70,       ///< a defect of ours that was caught
 };
 

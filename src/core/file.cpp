@@ -3,54 +3,130 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
-#include <utility>
+#include <string>
 
 #include "core/error.h"
+#include "core/file_read.h"
 
 namespace jalousie {
 namespace {
 
-/// An open file descriptor; closed on destruction.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-  /// Closes and tells whether the file system accepted everything (close may report a late write error).
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
- private:
-  int fd_;
-};
+constexpr std::string_view kPartPrefix = ".jalousie-";
 
 bool writeAll(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = ENOSPC;
     if (written <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
   return true;
 }
 
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+bool isSameFile(int fd, const char* path) {
+  struct stat open = {};
+  struct stat named = {};
+  return ::fstat(fd, &open) == 0 && ::lstat(path, &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+
+/// A file on its way to its name. While it has a name of its own it is locked, which tells removeAbandonedFiles that
+/// its writer is alive; a process that dies lets go of the lock.
+class StagedFile {
+ public:
+  explicit StagedFile(std::filesystem::path target) : target_(std::move(target)), folder_(folderOf(target_)) {
+    file_ = Descriptor(::open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+    if (!file_.valid() && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) openNamed();
+    if (!file_.valid())
+      throw Error(ErrorCode::kWriteFailed, fmt::format("cannot write here: {}", std::strerror(errno)), target_);
+  }
+  ~StagedFile() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+
+  void write(std::span<const std::byte> bytes) {
+    // Staged files are private; give the result the permissions any new file would have.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (!writeAll(file_.get(), bytes) || ::fchmod(file_.get(), 0666 & ~mask) != 0 || ::fsync(file_.get()) != 0) fail();
+  }
+
+  /// Puts the file in its target's place.
+  void commit() {
+    if (!name_.empty() || !linkTo(target_.string())) {
+      if (name_.empty()) nameIt();
+      if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
+      name_.clear();
+    }
+    const Descriptor directory(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.valid() && ::fsync(directory.get()) != 0 && errno != EINVAL) fail();
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw Error(ErrorCode::kWriteFailed, std::strerror(errno), target_); }
+
+  std::string partName(int attempt) const {
+    return (folder_ / fmt::format("{}{}-{}", kPartPrefix, ::getpid(), attempt)).string();
+  }
+
+  void openNamed() {
+    for (int attempt = 0; attempt < kAttempts && !file_.valid(); ++attempt) {
+      const std::string name = partName(attempt);
+      file_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+      if (!file_.valid() && errno != EEXIST) return;
+      if (file_.valid()) name_ = name;
+    }
+    if (file_.valid()) ::flock(file_.get(), LOCK_EX | LOCK_NB);
+  }
+
+  bool linkTo(const std::string& path) const {
+    const std::string open = fmt::format("/proc/self/fd/{}", file_.get());
+    return ::linkat(AT_FDCWD, open.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  }
+
+  /// Gives an unnamed file a name, from which it can be renamed over an existing target.
+  void nameIt() {
+    if (errno != EEXIST) fail();
+    ::flock(file_.get(), LOCK_EX | LOCK_NB);
+    for (int attempt = 0; name_.empty(); ++attempt) {
+      if (linkTo(partName(attempt))) {
+        name_ = partName(attempt);
+      } else if (errno != EEXIST || attempt == kAttempts) {
+        fail();
+      }
+    }
+  }
+
+  static constexpr int kAttempts = 1000;
+  std::filesystem::path target_;
+  std::filesystem::path folder_;
+  Descriptor file_;
+  std::string name_;  ///< of its own; empty while it has none
+};
+
 }  // namespace
 
-std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.valid()) {
-    if (errno == ENOENT || errno == ENOTDIR) throw Error(ErrorCode::kFileNotFound, "no such file", path);
-    throw Error(ErrorCode::kFileUnreadable, std::strerror(errno), path);
-  }
+namespace detail {
+
+int readFlags() {
+  return O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+}
+
+std::vector<std::byte> readOpened(const Descriptor& file, const std::filesystem::path& path, std::uint64_t maxBytes) {
   struct stat info = {};
   if (::fstat(file.get(), &info) != 0) throw Error(ErrorCode::kFileUnreadable, std::strerror(errno), path);
   if (!S_ISREG(info.st_mode)) throw Error(ErrorCode::kFileUnreadable, "not a regular file", path);
@@ -70,31 +146,38 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
   return bytes;
 }
 
+}  // namespace detail
+
+std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
+  const Descriptor file(::open(path.c_str(), detail::readFlags()));
+  if (!file.valid()) {
+    if (errno == ENOENT || errno == ENOTDIR) throw Error(ErrorCode::kFileNotFound, "no such file", path);
+    throw Error(ErrorCode::kFileUnreadable, std::strerror(errno), path);
+  }
+  return detail::readOpened(file, path, maxBytes);
+}
+
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  const std::filesystem::path target = path.empty() ? std::filesystem::path(".") : path;
-  std::string temporary = target.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file.valid())
-    throw Error(ErrorCode::kWriteFailed, fmt::format("cannot write here: {}", std::strerror(errno)), path);
-
-  const auto fail = [&](int reason) {
-    ::unlink(temporary.c_str());
-    throw Error(ErrorCode::kWriteFailed, std::strerror(reason), path);
-  };
-  // mkostemp creates private files; give the result the permissions any new file would have.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (!writeAll(file.get(), bytes) || ::fchmod(file.get(), 0666 & ~mask) != 0 || ::fsync(file.get()) != 0) fail(errno);
-  if (!file.close()) fail(errno);
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail(errno);
-
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
-  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.valid()) ::fsync(directory.get());
+  StagedFile file(path.empty() ? std::filesystem::path(".") : path);
+  file.write(bytes);
+  file.commit();
 }
 
 void writeFileAtomic(const std::filesystem::path& path, std::string_view text) {
   writeFileAtomic(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void removeAbandonedFiles(const std::filesystem::path& folder) noexcept {
+  try {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (!entry.path().filename().string().starts_with(kPartPrefix)) continue;
+      const Descriptor file(::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+      if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 && isSameFile(file.get(), entry.path().c_str()))
+        ::unlink(entry.path().c_str());
+    }
+  } catch (const std::exception&) {
+    return;
+  }
 }
 
 void appendToFile(const std::filesystem::path& path, std::string_view text) {

@@ -1,4 +1,4 @@
-// Whole files in, whole files out: reads are capped, writes land beside the target and are renamed.
+// Whole files in, whole files out: reads are capped, writes appear in one step.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,16 @@ namespace jalousie {
 /// Errors: kFileNotFound; kFileUnreadable (a folder, a device, no permission); kLimit (larger than maxBytes).
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t maxBytes);
 
-/// Replaces path by bytes: written to a temporary file in the same folder, synced, renamed. A reader sees the old file
-/// or the new one, never a part. Errors: kWriteFailed; the old file is then intact and the temporary one is gone.
+/// Replaces path by bytes: written to a file in the same folder that has no name yet, synced, named, folder synced. A
+/// reader sees the old file or the new one, never a part, and a program that is killed meanwhile leaves nothing behind
+/// (on file systems without unnamed files: a file that removeAbandonedFiles removes). Errors: kWriteFailed; the old
+/// file is then intact.
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomic(const std::filesystem::path& path, std::string_view text);
+
+/// Removes what killed programs left of unfinished writes to files in this folder; files that somebody is writing now
+/// stay. Never throws: a folder that cannot be read has nothing to remove.
+void removeAbandonedFiles(const std::filesystem::path& folder) noexcept;
 
 /// Adds text to a file that exists, and waits until it is on the disk. Errors: kWriteFailed; a part may be written.
 void appendToFile(const std::filesystem::path& path, std::string_view text);

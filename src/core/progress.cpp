@@ -29,4 +29,10 @@ void Progress::update(std::uint64_t done, const std::string& detail) {
   std::fflush(stderr);
 }
 
+void Progress::print(const std::string& line) {
+  fmt::print(stderr, "{}{}\n", visible_ ? "\r\033[K" : "", line);
+  std::fflush(stderr);
+  nextDraw_ = {};
+}
+
 }  // namespace jalousie

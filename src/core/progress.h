@@ -18,6 +18,8 @@ class Progress {
 
   /// Sets the number of finished steps and an optional detail; redraws at most ten times a second.
   void update(std::uint64_t done, const std::string& detail = {});
+  /// Writes a line to stderr, terminal or not; the progress is drawn anew below it.
+  void print(const std::string& line);
   /// Whether there is a terminal to draw on, and nobody asked for quiet.
   bool visible() const { return visible_; }
 

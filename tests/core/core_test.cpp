@@ -1,5 +1,7 @@
 // Errors, checks, files, random numbers and boxes.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <cstring>
@@ -11,6 +13,7 @@
 
 #include "core/aabb.h"
 #include "core/check.h"
+#include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
@@ -77,6 +80,73 @@ TEST(File, OnlyRegularFilesWithinTheLimitAreRead) {
       << "and does not wait for a writer";
   EXPECT_EQ(codeOf([&] { readFile("/dev/zero", 4); }), ErrorCode::kFileUnreadable);
 }
+
+TEST(File, AbandonedPartsGoAndLivingOnesStay) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / ".jalousie-1-0") << "left by a program that was killed";
+  std::ofstream(folder / ".jalousie-2-0") << "being written";
+  std::ofstream(folder / "jalousie-3-0") << "somebody's file";
+  const int living = ::open((folder / ".jalousie-2-0").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(living, LOCK_EX), 0);
+  removeAbandonedFiles(folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder / ".jalousie-1-0"));
+  EXPECT_TRUE(std::filesystem::exists(folder / ".jalousie-2-0"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "jalousie-3-0"));
+  ::close(living);
+  removeAbandonedFiles(folder / "missing");
+}
+
+class ConfinedFolderTest : public testing::TestWithParam<ConfinedFolder::Lookup> {
+ protected:
+  ConfinedFolderTest() {
+    std::filesystem::create_directories(folder_ / "in/sub");
+    std::ofstream(folder_ / "outside.bin") << "outside";
+    std::ofstream(folder_ / "in/a.bin") << "inside";
+    std::ofstream(folder_ / "in/sub/b c.bin") << "deeper";
+    std::filesystem::create_symlink(folder_ / "outside.bin", folder_ / "in/absolute");
+    std::filesystem::create_symlink("../outside.bin", folder_ / "in/relative");
+    std::filesystem::create_symlink("..", folder_ / "in/up");
+    std::filesystem::create_symlink("a.bin", folder_ / "in/beside");
+    ::mkfifo((folder_ / "in/pipe").c_str(), 0600);
+  }
+  /// The text of a file, or the name of the error.
+  std::string read(const std::string& name) const {
+    try {
+      return textOf(ConfinedFolder(folder_ / "in", GetParam()).readFile(name, 100));
+    } catch (const Error& error) {
+      return std::string(errorName(error.code()));
+    }
+  }
+  const test::TemporaryFolder folder_;
+};
+
+TEST_P(ConfinedFolderTest, ReadsWhatLiesInside) {
+  EXPECT_EQ(read("a.bin"), "inside");
+  EXPECT_EQ(read("./sub//b c.bin"), "deeper");
+  EXPECT_EQ(read("sub/../a.bin"), "inside");
+}
+
+TEST_P(ConfinedFolderTest, RefusesWhatLeadsOut) {
+  for (const char* name : {"../outside.bin", "sub/../../outside.bin", "/etc/passwd", "absolute", "relative",
+                           "up/outside.bin", "..", "../in/a.bin", "sub/../../in/a.bin"})
+    EXPECT_EQ(read(name), "unsupported") << name;
+}
+
+TEST_P(ConfinedFolderTest, RefusesWhatIsNoFile) {
+  for (const char* name : {"sub", ".", "pipe", "sub/.."})
+    EXPECT_EQ(read(name), "file-unreadable") << name;
+  for (const char* name : {"missing", "a.bin/x", "sub/missing", "b c.bin"})
+    EXPECT_EQ(read(name), "file-not-found") << name;
+  EXPECT_EQ(read(""), "malformed");
+  EXPECT_EQ(read(std::string("a.bin\0", 6)), "malformed");
+}
+
+TEST_P(ConfinedFolderTest, LinksInsideAreFollowedByTheKernelOnly) {
+  EXPECT_EQ(read("beside"), GetParam() == ConfinedFolder::Lookup::kKernel ? "inside" : "unsupported");
+}
+
+INSTANTIATE_TEST_SUITE_P(Lookups, ConfinedFolderTest,
+                         testing::Values(ConfinedFolder::Lookup::kKernel, ConfinedFolder::Lookup::kByComponent));
 
 TEST(Random, SameSeedSameSequence) {
   Random a(42);

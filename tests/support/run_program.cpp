@@ -2,6 +2,8 @@
 #include "support/run_program.h"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace jalousie::test {
 namespace {
@@ -26,7 +29,8 @@ void redirect(int target, const std::filesystem::path& file) {
 
 }  // namespace
 
-ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         const ProgramSetup& setup) {
   const TemporaryFolder folder;
   std::vector<std::string> words = {program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -42,12 +46,29 @@ ProgramResult runProgram(const std::filesystem::path& program, const std::vector
   if (child == 0) {
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
+    if (!setup.folder.empty() && ::chdir(setup.folder.c_str()) != 0) ::_exit(127);
+    for (const std::string& variable : setup.environment)
+      ::putenv(const_cast<char*>(variable.c_str()));
     ::execv(argv[0], argv.data());
     ::_exit(127);
   }
+  if (setup.signalAfter.count() > 0) {
+    std::this_thread::sleep_for(setup.signalAfter);
+    ::kill(child, setup.signal);
+  }
   int status = 0;
-  ::waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), textOf(out), textOf(err)};
+  rusage usage = {};
+  ::wait4(child, &status, 0, &usage);
+  ProgramResult result;
+  result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.standardOutput = textOf(out);
+  result.standardError = textOf(err);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  result.cpuSeconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  result.peakBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return result;
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -1,6 +1,8 @@
 // Runs one of the project's programs and collects what it said.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,10 +13,20 @@ struct ProgramResult {
   int exitCode = -1;  ///< 128 + signal number if a signal ended it
   std::string standardOutput;
   std::string standardError;
+  double cpuSeconds = 0.0;      ///< of the program and the processes it waited for
+  std::uint64_t peakBytes = 0;  ///< resident memory of the largest of them
+};
+
+struct ProgramSetup {
+  std::vector<std::string> environment = {};  ///< "NAME=VALUE", added to ours
+  std::filesystem::path folder = {};          ///< to run in; empty: ours
+  std::chrono::milliseconds signalAfter{0};   ///< 0: never; counted from the start
+  int signal = 9;
 };
 
 /// Runs `program ARGUMENT...` without a shell and waits for it.
-ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         const ProgramSetup& setup = {});
 
 /// A fresh folder below the system's temporary one, removed with everything in it at the end.
 class TemporaryFolder {
