@@ -98,10 +98,15 @@ Elements baseElements(const tinygltf::Model& model, int accessor, std::uint64_t 
   const std::uint32_t size = elementBytes(source.type, source.componentType);
   if (size == 0) malformed(fmt::format("accessor {}: type or component type not allowed", accessor));
   if (source.count == 0) malformed(fmt::format("accessor {} has no elements", accessor));
-  if (source.count > maxElements)
-    throw Error(ErrorCode::kLimit,
-                fmt::format("accessor {} has {} elements, the limit is {}", accessor, source.count, maxElements));
-  if (source.bufferView < 0) return {nullptr, size, source.count};
+  const auto checkLimit = [&] {
+    if (source.count > maxElements)
+      throw Error(ErrorCode::kLimit,
+                  fmt::format("accessor {} has {} elements, the limit is {}", accessor, source.count, maxElements));
+  };
+  if (source.bufferView < 0) {
+    checkLimit();
+    return {nullptr, size, source.count};
+  }
 
   const std::span<const std::byte> bytes = viewBytes(model, source.bufferView);
   const std::size_t viewStride = model.bufferViews[static_cast<std::size_t>(source.bufferView)].byteStride;
@@ -109,6 +114,7 @@ Elements baseElements(const tinygltf::Model& model, int accessor, std::uint64_t 
   if (stride < size) malformed(fmt::format("accessor {}: stride below the element size", accessor));
   if (!fits(bytes.size(), source.byteOffset, stride, size, source.count))
     malformed(fmt::format("accessor {} reaches outside its buffer view", accessor));
+  checkLimit();
   return {bytes.data() + source.byteOffset, stride, source.count};
 }
 

@@ -173,9 +173,22 @@ json modelJson(const Model& model) {
   return json::parse(stream.str());
 }
 
+/// tinygltf writes sizes as 32-bit integers with a sign.
+void mendSizes(json& document, const Model& model) {
+  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+    document["bufferViews"][i]["byteOffset"] = model.bufferViews[i].byteOffset;
+    document["bufferViews"][i]["byteLength"] = model.bufferViews[i].byteLength;
+  }
+  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
+    document["accessors"][i]["count"] = model.accessors[i].count;
+    if (model.accessors[i].byteOffset > 0) document["accessors"][i]["byteOffset"] = model.accessors[i].byteOffset;
+  }
+}
+
 /// tinygltf writes null for empty objects and arrays, and zfar 0 for an infinite projection; it leaves out the names of
 /// samplers.
 void mendJson(json& document, const Model& model) {
+  mendSizes(document, model);
   for (std::size_t i = 0; i < model.samplers.size(); ++i)
     if (!model.samplers[i].name.empty()) document["samplers"][i]["name"] = model.samplers[i].name;
   for (const char* key : {"scenes", "nodes", "textures", "skins"}) {

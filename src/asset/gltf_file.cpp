@@ -17,6 +17,7 @@
 #include "asset/gltf_meshopt.h"
 #include "asset/gltf_resources.h"
 #include "asset/gltf_validate.h"
+#include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -46,14 +47,14 @@ std::string_view asText(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Takes the chunk at `offset`. Errors: kMalformed.
-std::span<const std::byte> chunkAt(std::span<const std::byte> glb, std::size_t offset, std::uint32_t type,
-                                   const Path& file) {
+/// Takes the chunk at `offset`. @param type  it must have; absent: any. Errors: kMalformed.
+std::span<const std::byte> chunkAt(std::span<const std::byte> glb, std::size_t offset,
+                                   std::optional<std::uint32_t> type, const Path& file) {
   if (glb.size() - offset < 8) throw Error(ErrorCode::kMalformed, "GLB chunk header is cut off", file);
   const std::uint32_t length = word(glb, offset);
   if (length > glb.size() - offset - 8)
     throw Error(ErrorCode::kMalformed, fmt::format("GLB chunk of {} bytes is cut off", length), file);
-  if (word(glb, offset + 4) != type) throw Error(ErrorCode::kMalformed, "GLB chunk has the wrong type", file);
+  if (type && word(glb, offset + 4) != *type) throw Error(ErrorCode::kMalformed, "GLB chunk has the wrong type", file);
   if (length % 4 != 0) throw Error(ErrorCode::kMalformed, "GLB chunk is not padded to four bytes", file);
   return glb.subspan(offset + 8, length);
 }
@@ -68,8 +69,11 @@ Parts splitGlb(std::span<const std::byte> bytes, const Path& file) {
   const std::span<const std::byte> glb = bytes.first(length);
   const std::span<const std::byte> text = chunkAt(glb, 12, kGlbJson, file);
   Parts parts{asText(text), std::nullopt};
-  const std::size_t next = 12 + 8 + text.size();
+  std::size_t next = 12 + 8 + text.size();
   if (next < glb.size()) parts.binary = chunkAt(glb, next, kGlbBinary, file);
+  if (parts.binary) next += 8 + parts.binary->size();
+  while (next < glb.size())  // chunks of extensions: passed over, but whole
+    next += 8 + chunkAt(glb, next, std::nullopt, file).size();
   return parts;
 }
 
@@ -190,8 +194,9 @@ bool keepEncoded(tinygltf::Image* image, const int index, std::string*, std::str
   return true;
 }
 
-tinygltf::Model parseModel(const json& document, Resources& resources, const Path& file) {
+tinygltf::Model parseModel(json document, Resources& resources, const Path& file) {
   const std::string text = document.dump();
+  document = nullptr;  // large ones must not be in memory twice
   if (text.size() > std::numeric_limits<unsigned int>::max())
     throw Error(ErrorCode::kLimit, "the JSON exceeds 4 GiB", file);
   tinygltf::TinyGLTF parser;
@@ -208,13 +213,19 @@ tinygltf::Model parseModel(const json& document, Resources& resources, const Pat
   return model;
 }
 
-/// Gives the images of buffer views their bytes, now that the views are known to be valid.
-void fillImages(tinygltf::Model& model, const Resources& resources, detail::ResourceLoader& loader) {
+/// Gives the images of buffer views their bytes, and looks at what all of them are.
+void fillImages(tinygltf::Model& model, const Resources& resources, detail::ResourceLoader& loader,
+                const Limits& limits) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     tinygltf::Image& image = model.images[i];
     image.bufferView = resources.images[i].bufferView;
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView));
     if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
+    try {
+      checkImageHeader(std::as_bytes(std::span(image.image)), limits.maxImageSide);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("image {}: {}", i, error.what()));
+    }
   }
 }
 
@@ -223,24 +234,29 @@ void clearPlaceholders(tinygltf::Model& model) {
     buffer.uri.clear();
 }
 
-tinygltf::Model loadChecked(const Path& path, const Limits& limits) {
-  const std::vector<std::byte> bytes = readFile(path, limits.maxFileBytes);
+tinygltf::Model parseChecked(std::span<const std::byte> bytes, const Path& path, const Limits& limits,
+                             const ReadObserver& observer) {
   const Parts parts = split(bytes, path);
   json document = detail::parseDocument(parts.json, limits, path);
-  detail::ResourceLoader loader(path, limits);
+  detail::ResourceLoader loader(path, limits, observer);
   Resources resources = takeResources(document, parts, loader, limits, path);
-  tinygltf::Model model = parseModel(document, resources, path);
+  tinygltf::Model model = parseModel(std::move(document), resources, path);
   clearPlaceholders(model);
-  fillImages(model, resources, loader);
+  fillImages(model, resources, loader, limits);
   detail::validateModel(model, limits);
   return model;
 }
 
 }  // namespace
 
-tinygltf::Model loadGltf(const Path& path, const Limits& limits) {
+tinygltf::Model loadGltf(const Path& path, const Limits& limits, const ReadObserver& observer) {
+  return parseGltf(readFile(path, limits.maxFileBytes), path, limits, observer);
+}
+
+tinygltf::Model parseGltf(std::span<const std::byte> bytes, const Path& path, const Limits& limits,
+                          const ReadObserver& observer) {
   try {
-    return loadChecked(path, limits);
+    return parseChecked(bytes, path, limits, observer);
   } catch (const Error& error) {
     if (!error.file().empty()) throw;
     throw Error(error.code(), error.what(), path);

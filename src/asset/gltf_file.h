@@ -7,6 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace jalousie::asset {
@@ -17,17 +21,26 @@ struct Limits {
   std::uint32_t maxJsonDepth = 64;                  ///< nesting of arrays and objects
   std::uint64_t maxJsonElements = 20'000'000;       ///< commas in the JSON, a bound on its values
   std::uint64_t maxAccessorElements = 1ULL << 28U;  ///< elements of one accessor
+  std::uint64_t maxEmptyElements = 1ULL << 22U;     ///< elements of all accessors without data, which cost no byte
   std::uint64_t maxInstances = 1ULL << 24U;         ///< objects after flattening the node hierarchy
   std::uint32_t maxImageSide = 16384;               ///< pixels
 };
 
+/// Told of every file that was read beside the document itself: its name relative to the document's folder, and its
+/// bytes, which are absent if there was no such file. May be empty.
+using ReadObserver = std::function<void(const std::string& name, std::optional<std::span<const std::byte>> bytes)>;
+
 /// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG or JPEG bytes of
-/// the file, URI or buffer view, and `image.as_is` is true. External files are opened only inside the document's
-/// folder. The structure is validated: every index that one object holds of another is in range, every buffer view lies
-/// in its buffer, every accessor in its view, the node hierarchy is a forest. Views with EXT_meshopt_compression are
-/// decoded, and the extension is gone. Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown
-/// required extension), kLimit.
-tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {});
+/// the file, URI or buffer view, and `image.as_is` is true; formats and sides are checked. External files are opened
+/// only inside the document's folder. The document is validated: every index that one object holds of another is in
+/// range, every buffer view lies in its buffer, every accessor in its view, vertex indices are below the vertex count,
+/// the node hierarchy is a forest. Views with EXT_meshopt_compression are decoded, and the extension is gone. Errors:
+/// kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required extension), kLimit.
+tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {},
+                         const ReadObserver& observer = {});
+/// As loadGltf, for a document that is in memory already. @param path  where it comes from, and other files are sought
+tinygltf::Model parseGltf(std::span<const std::byte> bytes, const std::filesystem::path& path,
+                          const Limits& limits = {}, const ReadObserver& observer = {});
 
 struct EncodeOptions {
   bool compress = false;  ///< vertex attributes and triangle indices as EXT_meshopt_compression, then required

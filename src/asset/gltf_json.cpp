@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "asset/gltf_shapes.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -142,6 +143,11 @@ void checkTopLevel(const json& document, const Path& file) {
 }  // namespace
 
 json parseDocument(std::string_view text, const Limits& limits, const Path& file) {
+  // A zero byte ends the text for the parser; padding may follow it, and nothing else.
+  const std::size_t end = std::min(text.find('\0'), text.size());
+  if (text.find_first_not_of('\0', end) != std::string_view::npos)
+    throw Error(ErrorCode::kMalformed, "the JSON has something behind a zero byte", file);
+  text = text.substr(0, end);
   scan(text, limits, file);
   json document;
   try {
@@ -154,6 +160,7 @@ json parseDocument(std::string_view text, const Limits& limits, const Path& file
   checkExtensions(document, file);
   checkTopLevel(document, file);
   checkNumbers(document, file);
+  checkShapes(document, file);
   return document;
 }
 

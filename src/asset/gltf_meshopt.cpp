@@ -20,6 +20,9 @@ using nlohmann::json;
 using Path = std::filesystem::path;
 using Bytes = std::vector<unsigned char>;
 
+/// Most bytes that one compressed byte can stand for.
+constexpr std::uint64_t kMaxExpansion = 64;
+
 /// One compressed view, its numbers checked.
 struct Compressed {
   const unsigned char* data = nullptr;
@@ -86,6 +89,8 @@ Compressed readExtension(const json& extension, const json& bufferView, std::siz
                     stringMember(extension, "mode", "", view, file),
                     stringMember(extension, "filter", "NONE", view, file)};
   checkStride(source, view, file);
+  // Both codecs spend at least two bits on sixteen bytes; more is a demand for memory, not data.
+  if (decoded / kMaxExpansion > source.size) malformed(view, "the data is too short for what it unfolds to", file);
   return source;
 }
 

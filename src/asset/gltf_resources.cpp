@@ -7,11 +7,9 @@
 #include <array>
 #include <cstring>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"
-#include "core/file.h"
 
 namespace jalousie::asset::detail {
 namespace {
@@ -74,10 +72,6 @@ std::optional<std::vector<unsigned char>> base64Decoded(std::string_view text) {
   return bytes;
 }
 
-bool isInside(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
 /// Part of a URI fit for an error message: one line, not the megabytes of a data URI.
 std::string shortened(const std::string& uri) {
   std::string text = uri.substr(0, 80);
@@ -88,8 +82,8 @@ std::string shortened(const std::string& uri) {
 
 }  // namespace
 
-ResourceLoader::ResourceLoader(fs::path document, const Limits& limits)
-    : document_(std::move(document)), maxBytes_(limits.maxFileBytes) {}
+ResourceLoader::ResourceLoader(fs::path document, const Limits& limits, ReadObserver observer)
+    : document_(std::move(document)), observer_(std::move(observer)), maxBytes_(limits.maxFileBytes) {}
 
 std::vector<unsigned char> ResourceLoader::load(const std::string& uri) {
   if (uri.starts_with("data:")) {
@@ -101,8 +95,7 @@ std::vector<unsigned char> ResourceLoader::load(const std::string& uri) {
     account(bytes->size());
     return std::move(*bytes);
   }
-  const std::vector<std::byte> bytes = readFile(resolve(uri), maxBytes_ - usedBytes_);
-  return copy(bytes);
+  return copy(readNamed(uri));
 }
 
 std::vector<unsigned char> ResourceLoader::copy(std::span<const std::byte> bytes) {
@@ -118,26 +111,23 @@ void ResourceLoader::account(std::uint64_t bytes) {
   usedBytes_ += bytes;
 }
 
-fs::path ResourceLoader::resolve(const std::string& uri) const {
-  const auto refuse = [&](ErrorCode code, std::string_view why) {
-    throw Error(code, fmt::format("URI \"{}\" {}", shortened(uri), why), document_);
-  };
-  const std::string decoded = percentDecoded(uri);
-  if (decoded.empty() || decoded.find('\0') != std::string::npos) refuse(ErrorCode::kMalformed, "is no file name");
-  if (decoded.substr(0, decoded.find('/')).find(':') != std::string::npos)
-    refuse(ErrorCode::kUnsupported, "has a scheme; only relative files and data URIs are read");
-
-  std::error_code failed;
-  const fs::path parent = document_.has_parent_path() ? document_.parent_path() : fs::path(".");
-  const fs::path folder = fs::canonical(parent, failed);
-  if (failed) throw Error(ErrorCode::kFileUnreadable, failed.message(), parent);
-  // Compare before the file system is asked: what lies outside must not even be probed.
-  if (!isInside((folder / decoded).lexically_normal(), folder))
-    refuse(ErrorCode::kUnsupported, "leaves the folder of the document");
-  const fs::path target = fs::canonical(folder / decoded, failed);
-  if (failed) throw Error(ErrorCode::kFileNotFound, failed.message(), folder / decoded);
-  if (!isInside(target, folder)) refuse(ErrorCode::kUnsupported, "leaves the folder of the document");
-  return target;
+std::vector<std::byte> ResourceLoader::readNamed(const std::string& uri) {
+  const std::string name = percentDecoded(uri);
+  if (name.empty() || name.find('\0') != std::string::npos)
+    throw Error(ErrorCode::kMalformed, fmt::format("URI \"{}\" is no file name", shortened(uri)), document_);
+  if (name.substr(0, name.find('/')).find(':') != std::string::npos)
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("URI \"{}\" has a scheme; only relative files and data URIs are read", shortened(uri)),
+                document_);
+  if (!folder_) folder_.emplace(document_.has_parent_path() ? document_.parent_path() : fs::path("."));
+  std::vector<std::byte> bytes;
+  try {
+    bytes = folder_->readFile(name, maxBytes_ - usedBytes_);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("names another file, {}", error.what()), document_);
+  }
+  if (observer_) observer_(name, bytes);
+  return bytes;
 }
 
 std::string sniffMimeType(std::span<const unsigned char> bytes) {

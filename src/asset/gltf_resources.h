@@ -4,19 +4,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "core/confined_folder.h"
 
 namespace jalousie::asset::detail {
 
 /// Loads what URIs name. All resources of a document together stay below Limits::maxFileBytes.
 class ResourceLoader {
  public:
-  ResourceLoader(std::filesystem::path document, const Limits& limits);
+  ResourceLoader(std::filesystem::path document, const Limits& limits, ReadObserver observer);
 
   /// Errors: kFileNotFound, kFileUnreadable, kMalformed (bad encoding), kUnsupported (a scheme other than data, a path
   /// that leaves the document's folder, through a link too), kLimit.
@@ -25,10 +27,12 @@ class ResourceLoader {
   std::vector<unsigned char> copy(std::span<const std::byte> bytes);
 
  private:
-  std::filesystem::path resolve(const std::string& uri) const;
+  std::vector<std::byte> readNamed(const std::string& uri);
   void account(std::uint64_t bytes);
 
   std::filesystem::path document_;
+  ReadObserver observer_;
+  std::optional<ConfinedFolder> folder_;  ///< opened for the first file
   std::uint64_t maxBytes_;
   std::uint64_t usedBytes_ = 0;
 };

@@ -9,6 +9,7 @@
 
 #include "asset/accessor_layout.h"
 #include "asset/lod_chain.h"
+#include "asset/node_graph.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -33,12 +34,15 @@ void requireLength(const std::vector<double>& values, std::size_t length, const 
     malformed(fmt::format("{} {}: {} has {} numbers, not {}", owner, index, what, values.size(), length));
 }
 
-void validateData(const Model& model, const Limits& limits) {
+/// Views and accessors lie in what holds them; the rest of validateData relies on it.
+void validateRanges(const Model& model, const Limits& limits) {
   for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
     viewBytes(model, static_cast<int>(i));
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
     const int index = static_cast<int>(i);
     baseElements(model, index, limits.maxAccessorElements);
+    if (model.accessors[i].bufferView < 0 && model.accessors[i].byteOffset > 0)
+      malformed(fmt::format("accessor {} has an offset into no buffer view", i));
     if (model.accessors[i].sparse.isSparse) sparseElements(model, index);
   }
 }
@@ -109,8 +113,11 @@ void validateNodes(const Model& model) {
     requireLength(node.translation, 3, "node", i, "translation");
     requireLength(node.rotation, 4, "node", i, "rotation");
     requireLength(node.scale, 3, "node", i, "scale");
+    localTransform(node);  // a rotation has a direction
     validateInstancing(model, node, i);
-    lodNodes(model, static_cast<int>(i));
+    for (const int level : lodNodes(model, static_cast<int>(i)))
+      if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
+        malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
   }
 }
 
@@ -153,6 +160,22 @@ void validateForest(const Model& model) {
   requireOptional(model.defaultScene, model.scenes.size(), "document", 0, "scene");
 }
 
+void validateCameras(const Model& model) {
+  for (std::size_t i = 0; i < model.cameras.size(); ++i) {
+    const tinygltf::Camera& camera = model.cameras[i];
+    bool valid = false;
+    if (camera.type == "perspective") {
+      const tinygltf::PerspectiveCamera& lens = camera.perspective;
+      valid = lens.yfov > 0.0 && lens.znear > 0.0 && lens.aspectRatio >= 0.0 &&
+              (lens.zfar == 0.0 || lens.zfar > lens.znear);
+    } else if (camera.type == "orthographic") {
+      const tinygltf::OrthographicCamera& lens = camera.orthographic;
+      valid = lens.xmag != 0.0 && lens.ymag != 0.0 && lens.znear >= 0.0 && lens.zfar > lens.znear;
+    }
+    if (!valid) malformed(fmt::format("camera {} has no lens that sees anything", i));
+  }
+}
+
 void validateAnimations(const Model& model) {
   for (std::size_t i = 0; i < model.animations.size(); ++i) {
     const tinygltf::Animation& animation = model.animations[i];
@@ -180,13 +203,15 @@ void validateSkins(const Model& model) {
 }  // namespace
 
 void validateModel(const Model& model, const Limits& limits) {
-  validateData(model, limits);
+  validateRanges(model, limits);
   validateMaterials(model);
   validateMeshes(model);
   validateNodes(model);
   validateForest(model);
+  validateCameras(model);
   validateAnimations(model);
   validateSkins(model);
+  validateData(model, limits);
 }
 
 }  // namespace jalousie::asset::detail

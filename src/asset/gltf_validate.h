@@ -7,8 +7,14 @@
 
 namespace jalousie::asset::detail {
 
+/// Checks what accessors hold: sizes and ranges, elements without data and overlap within the limits, types that fit
+/// their use, equal counts of all attributes of a primitive, vertex indices in range, sparse indices ascending. Errors
+/// (without a file): kMalformed, kLimit.
+void validateData(const tinygltf::Model& model, const Limits& limits);
+
 /// Checks that every index is in range, every buffer view lies in its buffer, every accessor in its view, that the
-/// nodes form a forest and scenes list only its roots, each once. Errors (without a file): kMalformed, kLimit.
+/// nodes form a forest and scenes list only its roots, each once; then validateData. Errors (without a file):
+/// kMalformed, kLimit.
 void validateModel(const tinygltf::Model& model, const Limits& limits);
 
 }  // namespace jalousie::asset::detail

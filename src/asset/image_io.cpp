@@ -65,26 +65,45 @@ void checkSize(const ImageRgba8& image) {
   JAL_CHECK(image.pixels.size() == static_cast<std::size_t>(image.width) * image.height * 4);
 }
 
+std::uint32_t bigEndian(const unsigned char* bytes) {
+  return std::uint32_t{bytes[0]} << 24U | std::uint32_t{bytes[1]} << 16U | std::uint32_t{bytes[2]} << 8U |
+         std::uint32_t{bytes[3]};
+}
+
+void requireSides(std::uint32_t width, std::uint32_t height, std::uint32_t maxSide,
+                  const std::filesystem::path& source) {
+  if (width > maxSide || height > maxSide)
+    throw Error(ErrorCode::kLimit, fmt::format("image is {} x {}, the limit is {}", width, height, maxSide), source);
+}
+
 }  // namespace
 
-ImageRgba8 decodeImage(std::span<const std::byte> encoded, std::uint32_t maxSide, const std::filesystem::path& source) {
+void checkImageHeader(std::span<const std::byte> encoded, std::uint32_t maxSide, const std::filesystem::path& source) {
   if (!startsWith(encoded, kPngSignature) && !startsWith(encoded, kJpegSignature))
     throw Error(ErrorCode::kUnsupported, "image is neither PNG nor JPEG", source);
   if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw Error(ErrorCode::kLimit, "image file is too large", source);
   const auto* bytes = reinterpret_cast<const stbi_uc*>(encoded.data());
-  const int size = static_cast<int>(encoded.size());
-
+  // stb cannot say why it refuses the largest ones.
+  if (startsWith(encoded, kPngSignature) && encoded.size() >= 24 && std::memcmp(bytes + 12, "IHDR", 4) == 0)
+    requireSides(bigEndian(bytes + 16), bigEndian(bytes + 20), maxSide, source);
   int width = 0;
   int height = 0;
   int channels = 0;
-  if (stbi_info_from_memory(bytes, size, &width, &height, &channels) == 0 || width <= 0 || height <= 0)
+  if (stbi_info_from_memory(bytes, static_cast<int>(encoded.size()), &width, &height, &channels) == 0 || width <= 0 ||
+      height <= 0)
     throw Error(ErrorCode::kMalformed, "image header cannot be read", source);
-  if (static_cast<std::uint32_t>(width) > maxSide || static_cast<std::uint32_t>(height) > maxSide)
-    throw Error(ErrorCode::kLimit, fmt::format("image is {} x {}, the limit is {}", width, height, maxSide), source);
+  requireSides(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), maxSide, source);
+}
 
+ImageRgba8 decodeImage(std::span<const std::byte> encoded, std::uint32_t maxSide, const std::filesystem::path& source) {
+  checkImageHeader(encoded, maxSide, source);
+  const auto* bytes = reinterpret_cast<const stbi_uc*>(encoded.data());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
   const std::unique_ptr<unsigned char, StbFree> pixels(
-      stbi_load_from_memory(bytes, size, &width, &height, &channels, 4));
+      stbi_load_from_memory(bytes, static_cast<int>(encoded.size()), &width, &height, &channels, 4));
   if (pixels == nullptr) throw Error(ErrorCode::kMalformed, "image cannot be decoded", source);
   ImageRgba8 image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
   image.pixels.assign(pixels.get(),

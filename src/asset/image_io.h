@@ -11,6 +11,10 @@
 
 namespace jalousie::asset {
 
+/// Reads the header of a PNG or JPEG. Errors: as decodeImage, which checks no more before it decodes.
+void checkImageHeader(std::span<const std::byte> encoded, std::uint32_t maxSide,
+                      const std::filesystem::path& source = {});
+
 /// Decodes a PNG or JPEG to RGBA8; nothing else is accepted. @param source  names the image in errors.
 /// Errors: kMalformed, kUnsupported (another format), kLimit (a side above maxSide; checked before decoding).
 ImageRgba8 decodeImage(std::span<const std::byte> encoded, std::uint32_t maxSide,

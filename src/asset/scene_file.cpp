@@ -2,11 +2,11 @@
 #include "asset/scene_file.h"
 
 #include <fmt/format.h>
-#include <limits>
-
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -37,6 +37,14 @@ bool finite(const glm::mat4& matrix) {
   return true;
 }
 
+/// Primitives may share their accessors, and each is read for itself: what they may ask for follows the file's size.
+std::uint64_t demandLimit(const Model& model, const Limits& limits) {
+  std::uint64_t elements = 1ULL << 24U;
+  for (const tinygltf::Buffer& buffer : model.buffers)
+    elements += 64 * std::uint64_t{buffer.data.size()};
+  return std::min(elements, limits.maxAccessorElements);
+}
+
 /// A node still to be visited.
 struct Visit {
   int node;
@@ -46,7 +54,7 @@ struct Visit {
 class SceneReader {
  public:
   SceneReader(const Model& model, const Limits& limits, const std::filesystem::path& file)
-      : model_(model), limits_(limits), file_(file), budget_{limits.maxAccessorElements} {}
+      : model_(model), limits_(limits), file_(file), budget_{demandLimit(model, limits)} {}
 
   SceneFile read() {
     readMaterials();
@@ -206,7 +214,10 @@ class SceneReader {
 }  // namespace
 
 SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits) {
-  const Model model = loadGltf(path, limits);
+  return readScene(loadGltf(path, limits), path, limits);
+}
+
+SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {
   try {
     return SceneReader(model, limits, path).read();
   } catch (const Error& error) {

@@ -91,5 +91,7 @@ struct SceneFile {
 /// levels, not instances. CUBICSPLINE tracks are read at their keys, STEP is kept linear-free by doubling keys. Errors:
 /// as loadGltf; kMalformed for NaN or infinite positions and transforms; kLimit.
 SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {});
+/// As readSceneFile, for a document that is loaded already. @param path  where it comes from, for messages
+SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
 
 }  // namespace jalousie::asset

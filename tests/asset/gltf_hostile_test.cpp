@@ -131,15 +131,43 @@ TEST(GltfHostile, IndicesOutOfRange) {
 }
 
 TEST(GltfHostile, AnimationIndicesOutOfRange) {
-  const json good = json::parse(R"({"channels":[{"sampler":0,"target":{"node":0,"path":"scale"}}],
-                                    "samplers":[{"input":0,"output":0}]})");
-  EXPECT_EQ(loadPatched("/animations/0", good), std::nullopt);
+  json document = validDocument();
+  document["accessors"].push_back(
+      json::parse(R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR"})"));
+  document["animations"] = json::parse(R"([{"channels":[{"sampler":0,"target":{"node":0,"path":"scale"}}],
+                                           "samplers":[{"input":1,"output":0}]}])");
+  EXPECT_EQ(load(glb(document.dump(), kTriangle)), std::nullopt);
   for (const char* pointer :
        {"/channels/0/sampler", "/channels/0/target/node", "/samplers/0/input", "/samplers/0/output"}) {
-    json bad = good;
-    bad[json::json_pointer(pointer)] = 7;
-    EXPECT_EQ(loadPatched("/animations/0", bad), ErrorCode::kMalformed) << pointer;
+    json bad = document;
+    bad["animations"][0][json::json_pointer(pointer)] = 7;
+    EXPECT_EQ(load(glb(bad.dump(), kTriangle)), ErrorCode::kMalformed) << pointer;
   }
+}
+
+TEST(GltfHostile, AnAnimationWithoutATarget) {  // found by the glTF fuzzer: it came back with node -1
+  json document = validDocument();
+  document["accessors"].push_back(
+      json::parse(R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "SCALAR"})"));
+  document["animations"] = json::parse(R"([{"channels":[{"sampler":0,"targut":{"node":0,"path":"scale"}}],
+                                           "samplers":[{"input":1,"output":0}]}])");
+  EXPECT_EQ(load(glb(document.dump(), kTriangle)), ErrorCode::kMalformed);
+}
+
+TEST(GltfHostile, AnOffsetIntoNoView) {  // found by the glTF fuzzer: it came back negative
+  json document = validDocument();
+  document["accessors"][0] =
+      json::parse(R"({"componentType": 5126, "count": 3, "type": "VEC3", "byteOffset": 4294967292})");
+  EXPECT_EQ(load(glb(document.dump(), kTriangle)), ErrorCode::kMalformed);
+}
+
+TEST(GltfHostile, CamerasWithoutALens) {  // found by the GLB fuzzer: tinygltf does not write a yfov of 0
+  for (const char* camera :
+       {R"({"type": "perspective", "perspective": {"yfov": 0, "znear": 0.1}})",
+        R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 0}})",
+        R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1, "zfar": 0.5}})",
+        R"({"type": "orthographic", "orthographic": {"xmag": 0, "ymag": 1, "znear": 0, "zfar": 1}})"})
+    EXPECT_EQ(loadPatched("/cameras/0", json::parse(camera)), ErrorCode::kMalformed) << camera;
 }
 
 TEST(GltfHostile, RangesOutsideTheirContainer) {
