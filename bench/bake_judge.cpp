@@ -17,6 +17,7 @@
 #include "bake/combined_mesh.h"
 #include "bake/import.h"
 #include "bake/surface_samples.h"
+#include "bake/threads.h"
 #include "bake/triangle_bvh.h"
 #include "bake/wedge_mesh.h"
 #include "core/aabb.h"

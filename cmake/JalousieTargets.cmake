@@ -25,6 +25,13 @@ if(JALOUSIE_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(jalousie_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(JALOUSIE_BUILD_FUZZERS)
+  # vptr needs type information of libraries that are not ours.
+  set(fuzzSanitizers address,undefined,float-cast-overflow)
+  target_compile_options(jalousie_options INTERFACE
+    -fsanitize=fuzzer-no-link,${fuzzSanitizers} -fno-sanitize=vptr -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(jalousie_options INTERFACE -fsanitize=${fuzzSanitizers} -fno-sanitize=vptr)
+endif()
 if(JALOUSIE_COVERAGE)
   target_compile_options(jalousie_options INTERFACE --coverage)
   target_link_options(jalousie_options INTERFACE --coverage)
@@ -33,6 +40,7 @@ endif()
 add_library(jalousie_warnings INTERFACE)
 target_compile_options(jalousie_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-overloaded-shift-op-parentheses>  # how JAL_CHECK takes an expression apart
   $<$<BOOL:${JALOUSIE_WERROR}>:-Werror>)
 
 # jalousie_add_library(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])

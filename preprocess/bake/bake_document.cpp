@@ -136,6 +136,8 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector
 
   CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
   const CleanCounts cleaned = cleanMesh(mesh);
+  if (mesh.indices.empty() && cleaned.notFinite > 0)
+    throw Error(ErrorCode::kMalformed, fmt::format("none of its {} triangles has finite positions", cleaned.notFinite));
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
@@ -165,11 +167,35 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector
   return report;
 }
 
+/// Primitives may share their accessors, and each is read for itself: a small file can ask for any amount of work.
+constexpr std::uint64_t kFreeElements = 1ULL << 24U;
+constexpr std::uint64_t kMaxElementsPerByte = 64;
+
+void checkDemand(const tinygltf::Model& model) {
+  const auto count = [&](int accessor) {
+    return accessor < 0 ? 0 : std::uint64_t{model.accessors[static_cast<std::size_t>(accessor)].count};
+  };
+  std::uint64_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : model.buffers)
+    bytes += buffer.data.size();
+  std::uint64_t elements = 0;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      elements += count(primitive.indices);
+      for (const auto& [name, accessor] : primitive.attributes)
+        elements += count(accessor);
+    }
+  }
+  if (elements > kFreeElements + kMaxElementsPerByte * bytes)
+    throw Error(ErrorCode::kLimit, fmt::format("the meshes read {} elements out of {} bytes", elements, bytes));
+}
+
 }  // namespace
 
 std::vector<MeshReport> bakeDocument(
     tinygltf::Model& model, const BakeOptions& options,
     const std::function<void(std::size_t, std::size_t, const std::string&)>& progress) {
+  checkDemand(model);
   const std::size_t meshes = model.meshes.size();
   std::vector<std::vector<int>> users(meshes);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "asset/accessor.h"
+#include "bake/digest.h"
 #include "bake/obj_reader.h"
 #include "bake/ply_reader.h"
 #include "core/error.h"
@@ -18,10 +19,6 @@ std::string lowerExtension(const std::filesystem::path& file) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
   });
   return extension;
-}
-
-bool isGltf(const std::string& extension) {
-  return extension == ".gltf" || extension == ".glb";
 }
 
 tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int material) {
@@ -59,31 +56,69 @@ void appendNode(tinygltf::Model& model, tinygltf::Mesh mesh) {
   model.nodes.push_back(std::move(node));
 }
 
-}  // namespace
-
-tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits) {
-  if (files.size() == 1 && isGltf(lowerExtension(files[0]))) return asset::loadGltf(files[0], limits);
+tinygltf::Model emptyDocument() {
   tinygltf::Model model;
   model.asset.version = "2.0";
   model.scenes.emplace_back();
   model.defaultScene = 0;
-  for (const std::filesystem::path& file : files) {
-    const std::string extension = lowerExtension(file);
-    if (isGltf(extension)) throw Error(ErrorCode::kUsage, "a glTF file is baked alone, not with other inputs", file);
-    if (extension != ".ply" && extension != ".obj")
-      throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
-    const std::vector<std::byte> bytes = readFile(file, limits.maxFileBytes);
-    tinygltf::Mesh mesh;
-    mesh.name = file.stem().string();
-    if (extension == ".ply") {
-      mesh.primitives.push_back(makePrimitive(model, readPly(bytes, file), -1));
-    } else {
-      for (ObjPart& part : readObj(bytes, file)) {
-        const int material = appendMaterial(model, part);
-        mesh.primitives.push_back(makePrimitive(model, std::move(part.mesh), material));
-      }
+  return model;
+}
+
+/// Adds a PLY or OBJ file as one node.
+void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const std::filesystem::path& file,
+                const asset::ReadObserver& observer) {
+  const std::string extension = lowerExtension(file);
+  tinygltf::Mesh mesh;
+  mesh.name = file.stem().string();
+  if (extension == ".ply") {
+    mesh.primitives.push_back(makePrimitive(model, readPly(bytes, file), -1));
+  } else if (extension == ".obj") {
+    for (ObjPart& part : readObj(bytes, file, observer)) {
+      const int material = appendMaterial(model, part);
+      mesh.primitives.push_back(makePrimitive(model, std::move(part.mesh), material));
     }
-    appendNode(model, std::move(mesh));
+  } else {
+    throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
+  }
+  appendNode(model, std::move(mesh));
+}
+
+}  // namespace
+
+bool isGltf(const std::filesystem::path& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+bool isImportable(const std::filesystem::path& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".ply" || extension == ".obj" || isGltf(file);
+}
+
+tinygltf::Model importBytes(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                            const asset::Limits& limits, const asset::ReadObserver& observer) {
+  if (isGltf(file)) return asset::parseGltf(bytes, file, limits, observer);
+  tinygltf::Model model = emptyDocument();
+  appendFile(model, bytes, file, observer);
+  return model;
+}
+
+tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits,
+                            std::vector<ReadFile>* read) {
+  tinygltf::Model model = emptyDocument();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::filesystem::path& file = files[i];
+    if (files.size() > 1 && isGltf(file))
+      throw Error(ErrorCode::kUsage, "a glTF file is baked alone, not with other inputs", file);
+    if (!isImportable(file))
+      throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
+    const asset::ReadObserver observer = [&](const std::string& name, std::optional<std::span<const std::byte>> bytes) {
+      if (read != nullptr) read->push_back({i, name, bytes ? std::optional(sha256(*bytes)) : std::nullopt});
+    };
+    const std::vector<std::byte> bytes = readFile(file, limits.maxFileBytes);
+    observer({}, bytes);
+    if (isGltf(file)) return asset::parseGltf(bytes, file, limits, observer);
+    appendFile(model, bytes, file, observer);
   }
   return model;
 }

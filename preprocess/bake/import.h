@@ -4,15 +4,34 @@
 #include <tiny_gltf.h>
 
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "asset/gltf_file.h"
 
 namespace jalousie::bake {
 
+/// A file that was read, or looked for in vain, on the way to a document.
+struct ReadFile {
+  std::size_t input = 0;              ///< index of the input it belongs to
+  std::string name;                   ///< relative to that input's folder; empty for the input itself
+  std::optional<std::string> sha256;  ///< of its bytes; absent if there was no such file
+};
+
 /// Reads .ply, .obj, .gltf or .glb by the file's extension. One glTF input stays as it is; PLY and OBJ files become one
 /// mesh and node each, in the order given, with smooth normals where the file has none. Errors: kUsage (several inputs
 /// of which one is glTF), kUnsupported (another extension), and those of the readers.
-tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits);
+/// @param read  gets every file that was read, if given
+tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits,
+                            std::vector<ReadFile>* read = nullptr);
+/// As importFiles for a single file whose bytes are in memory already; other files are sought beside `file`.
+tinygltf::Model importBytes(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                            const asset::Limits& limits, const asset::ReadObserver& observer = {});
+/// Whether files of this name's extension are read.
+bool isImportable(const std::filesystem::path& file);
+/// Whether it is glTF, which cannot be joined with other inputs.
+bool isGltf(const std::filesystem::path& file);
 
 }  // namespace jalousie::bake

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "bake/threads.h"
+
 namespace jalousie::bake {
 namespace {
 

@@ -10,30 +10,31 @@
 #include <streambuf>
 #include <tuple>
 
+#include "bake/obj_filter.h"
+#include "core/confined_folder.h"
 #include "core/error.h"
-#include "core/file.h"
 
 namespace jalousie::bake {
 namespace {
 
-/// Reads material files from the OBJ's folder only, capped.
-class FolderMaterials : public tinyobj::MaterialReader {
+constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;
+
+/// Hands tinyobjloader the material files of a source.
+class SourcedMaterials : public tinyobj::MaterialReader {
  public:
-  explicit FolderMaterials(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit SourcedMaterials(const MaterialSource& source) : source_(source) {}
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* indices, std::string* warning, std::string* error) override {
-    if (std::filesystem::path(name).filename() != std::filesystem::path(name)) return false;
-    const std::filesystem::path path = folder_ / name;
-    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path))) return false;
-    const std::vector<std::byte> bytes = readFile(path, 16ULL << 20U);
-    std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    const std::optional<std::vector<std::byte>> bytes = source_(name);
+    if (!bytes) return false;
+    std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
     tinyobj::LoadMtl(indices, materials, &stream, warning, error);
     return true;
   }
 
  private:
-  std::filesystem::path folder_;
+  const MaterialSource& source_;
 };
 
 float linearFromSrgb(float value) {
@@ -102,10 +103,27 @@ class PartBuilder {
 
 }  // namespace
 
-std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file) {
-  std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  FolderMaterials materialReader(folder);
+std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                             const asset::ReadObserver& observer) {
+  std::optional<ConfinedFolder> folder;
+  const auto source = [&](const std::string& name) -> std::optional<std::vector<std::byte>> {
+    if (!folder) folder.emplace(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+    std::optional<std::vector<std::byte>> content;
+    try {
+      content = folder->readFile(name, kMaxMaterialBytes);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::kFileNotFound) return std::nullopt;
+    }
+    if (observer) observer(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
+    return content;
+  };
+  return parseObj(bytes, file, source);
+}
+
+std::vector<ObjPart> parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                              const MaterialSource& materialSource) {
+  std::istringstream stream(filteredObj(bytes, file));
+  SourcedMaterials materialReader(materialSource);
   tinyobj::attrib_t attributes;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
@@ -145,7 +163,10 @@ std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesy
     }
     if (!part.mesh.indices.empty()) result.push_back(std::move(part));
   }
-  if (result.empty()) throw Error(ErrorCode::kMalformed, "the OBJ file has no faces", file);
+  if (result.empty() && attributes.vertices.empty())
+    throw Error(ErrorCode::kMalformed, "the OBJ file has no vertices", file);
+  if (result.empty())
+    throw Error(ErrorCode::kUnsupported, "the OBJ file has no faces; points and lines cannot be baked", file);
   return result;
 }
 

@@ -191,9 +191,10 @@ Type parseType(const Input& input, std::string_view name) {
 std::uint64_t parseCount(const Input& input, std::string_view text) {
   std::uint64_t count = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (status != std::errc() || end != text.data() + text.size()) input.fail("bad PLY element count");
-  if (count > kMaxElements)
-    input.limit(fmt::format("{} PLY elements are more than the limit of {}", count, kMaxElements));
+  const bool isNumber = status != std::errc::invalid_argument && end == text.data() + text.size();
+  if (!isNumber) input.fail("bad PLY element count");
+  if (count > kMaxElements || status == std::errc::result_out_of_range)
+    input.limit(fmt::format("{} PLY elements are more than the limit of {}", text.substr(0, 20), kMaxElements));
   return count;
 }
 
@@ -341,7 +342,10 @@ void readFaces(Input& input, const Element& element, Encoding encoding, std::vec
         continue;
       }
       const double count = input.value(*property.countType, encoding);
-      if (!(count >= 0.0) || count > kMaxPolygon) input.fail("a PLY face has an impossible number of corners");
+      if (!(count >= 0.0) || count > static_cast<double>(input.left()))
+        input.fail("a PLY face has an impossible number of corners");
+      if (count > kMaxPolygon)
+        input.limit(fmt::format("a PLY face has {} corners, the limit is {}", count, kMaxPolygon));
       polygon.clear();
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
         const double index = input.value(property.type, encoding);
@@ -381,7 +385,11 @@ TriangleMesh readPly(std::span<const std::byte> bytes, const std::filesystem::pa
   }
   for (const std::uint32_t index : mesh.indices)
     if (index >= mesh.positions.size()) input.fail("a PLY face has an index out of range");
-  if (mesh.indices.empty()) input.fail("the PLY file has no faces");
+  const bool hasFaces = std::any_of(header.elements.begin(), header.elements.end(),
+                                    [](const Element& element) { return element.name == "face" && element.count > 0; });
+  if (mesh.indices.empty() && hasFaces) input.fail("no face of the PLY file has three corners");
+  if (mesh.indices.empty())
+    throw Error(ErrorCode::kUnsupported, "the PLY file has no faces; point clouds cannot be baked", file);
   if (!allUnitLike(mesh.normals)) mesh.normals.clear();
   for (glm::vec3& normal : mesh.normals)
     normal = glm::normalize(normal);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bake/mesh_edges.h"
+#include "bake/threads.h"
 #include "bake/triangle_bvh.h"
 #include "bake/triangle_mesh.h"
 

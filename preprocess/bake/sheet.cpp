@@ -14,6 +14,7 @@
 #include "bake/measure.h"
 #include "bake/sheet_plot.h"
 #include "bake/software_raster.h"
+#include "bake/threads.h"
 #include "core/aabb.h"
 
 namespace jalousie::bake {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "bake/triangle_mesh.h"
 
@@ -76,17 +75,6 @@ std::vector<std::uint32_t> triangleOfVertex(const WedgeMesh& mesh) {
   for (std::uint32_t c = 0; c < mesh.corners.size(); ++c)
     if (result[mesh.vertexAt(c)] == ~0U) result[mesh.vertexAt(c)] = c / 3;
   return result;
-}
-
-void forSlices(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
-  const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
-  if (count < 4096 || threads == 1) {
-    work(0, count);
-    return;
-  }
-  std::vector<std::jthread> workers;
-  for (std::size_t w = 0; w < threads; ++w)
-    workers.emplace_back([&, w] { work(count * w / threads, count * (w + 1) / threads); });
 }
 
 }  // namespace jalousie::bake

@@ -29,8 +29,4 @@ glm::dvec3 shadingNormalAt(const WedgeMesh& mesh, const AttributeSlot* normals, 
 /// For each vertex of a mesh one triangle that touches it.
 std::vector<std::uint32_t> triangleOfVertex(const WedgeMesh& mesh);
 
-/// Calls work(begin, end) for slices of [0, count) on all cores; which slice a thread gets does not matter to callers
-/// that write to their own elements only.
-void forSlices(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work);
-
 }  // namespace jalousie::bake

@@ -105,7 +105,7 @@ TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
   std::ofstream(file("broken.ply")) << "ply\nformat ascii 1.0\nelement vertex 99\n";
   std::ofstream(file("notes.txt")) << "hello";
   expectRefused({file("missing.ply"), "-o", file("out.glb")}, 3, "missing.ply");
-  expectRefused({file(""), "-o", file("out.glb")}, 6, "jalousie-bake: ");
+  expectRefused({file(""), "-o", file("out.glb")}, 2, "name a folder");
   expectRefused({file("broken.ply"), "-o", file("out.glb")}, 5, "broken.ply");
   expectRefused({file("notes.txt"), "-o", file("out.glb")}, 6, "notes.txt");
   expectRefused({file("ball.ply"), file("broken.ply"), "-o", file("out.glb")}, 5, "broken.ply");

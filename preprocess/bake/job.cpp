@@ -1,0 +1,134 @@
+// Look in the cache, else import, bake, encode and store; then write.
+#include "bake/job.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <optional>
+
+#include "asset/gltf_quantize.h"
+#include "bake/cache.h"
+#include "bake/import.h"
+#include "bake/report.h"
+#include "bake/sheet.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path();
+}
+
+std::vector<fs::path> dependencyPaths(const BakeJob& job, const std::vector<ReadFile>& read) {
+  std::vector<fs::path> paths = job.inputs;
+  for (const ReadFile& file : read)
+    if (!file.name.empty() && file.sha256) paths.push_back(folderOf(job.inputs[file.input]) / file.name);
+  return paths;
+}
+
+/// Whether a file holds these bytes already. A file that cannot be read does not.
+bool holds(const fs::path& path, std::span<const std::byte> bytes) {
+  std::error_code ignored;
+  if (fs::file_size(path, ignored) != bytes.size()) return false;
+  try {
+    const std::vector<std::byte> there = readFile(path, bytes.size());
+    return std::equal(there.begin(), there.end(), bytes.begin(), bytes.end());
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Writes unless the bytes are there already; then the file only gets the present time, for build tools that compare
+/// times. @return  whether it was there
+bool writeIfOther(const fs::path& path, std::span<const std::byte> bytes) {
+  if (holds(path, bytes) && ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0) == 0) return true;
+  writeFileAtomic(path, bytes);
+  return false;
+}
+
+void makeFolderOf(const fs::path& file) {
+  std::error_code failed;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), failed);
+  if (failed) throw Error(ErrorCode::kWriteFailed, "cannot make this folder: " + failed.message(), file.parent_path());
+}
+
+CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<ReadFile>& read,
+                const std::function<void(const std::string&)>& progress) {
+  tinygltf::Model model = importFiles(job.inputs, settings.bake.limits, &read);
+  const std::vector<MeshReport> reports =
+      bakeDocument(model, settings.bake, [&](std::size_t done, std::size_t total, const std::string& what) {
+        progress(fmt::format("mesh {} of {}, {}", done + 1, total, what));
+      });
+  CacheEntry entry;
+  if (!job.sheet.empty()) {
+    SheetOptions options;
+    options.title = job.output.filename().string();
+    const std::string page = sheetHtml(model, options);
+    const auto bytes = std::as_bytes(std::span(page.data(), page.size()));
+    entry.sheet.assign(bytes.begin(), bytes.end());
+  }
+  if (settings.quantize) asset::quantizeModel(model);
+  entry.output = asset::encodeGlb(std::move(model), {settings.compress});
+  entry.report = reportJson(reports);
+  entry.table = reportText(reports);
+  return entry;
+}
+
+}  // namespace
+
+const char* statusName(JobStatus status) {
+  switch (status) {
+    case JobStatus::kBaked:
+      return "baked";
+    case JobStatus::kCached:
+      return "cached";
+    case JobStatus::kUnchanged:
+      return "unchanged";
+    case JobStatus::kFailed:
+      return "failed";
+    case JobStatus::kNotStarted:
+      break;
+  }
+  return "not-started";
+}
+
+JobResult runJob(const BakeJob& job, const JobSettings& settings,
+                 const std::function<void(const std::string&)>& progress) {
+  std::optional<Cache> cache;
+  if (!settings.cache.empty()) cache.emplace(settings.cache, settings.identity);
+  std::vector<ReadFile> read;
+  std::optional<CacheEntry> entry;
+  if (cache) entry = cache->find(job, settings.bake.limits, read);
+  const bool isHit = entry.has_value();
+  if (!isHit) {
+    read.clear();
+    entry = bake(job, settings, read, progress);
+  }
+  if (settings.makeFolders) {
+    makeFolderOf(job.output);
+    makeFolderOf(job.sheet);
+  }
+  bool unchanged = isHit;
+  if (!job.sheet.empty()) {
+    unchanged = writeIfOther(job.sheet, entry->sheet) && unchanged;
+  }
+  unchanged = writeIfOther(job.output, entry->output) && unchanged;
+  JobResult result;
+  try {
+    if (cache && !isHit) cache->store(job, read, *entry);
+  } catch (const Error& error) {  // the bake is done; the next one will be slower, that is all
+    result.warning = error.what();
+  }
+  result.status = unchanged ? JobStatus::kUnchanged : isHit ? JobStatus::kCached : JobStatus::kBaked;
+  result.dependencies = dependencyPaths(job, read);
+  result.report = std::move(entry->report);
+  result.table = std::move(entry->table);
+  return result;
+}
+
+}  // namespace jalousie::bake

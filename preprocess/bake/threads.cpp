@@ -1,0 +1,54 @@
+// Threads live as long as one loop: starting them costs far less than any loop that is worth sharing.
+#include "bake/threads.h"
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace jalousie::bake {
+namespace {
+
+constexpr std::size_t kMaxThreads = 16;
+constexpr std::size_t kMinShared = 4096;  ///< below, a loop is over before a second thread has started
+std::size_t allowedThreads = 0;
+
+}  // namespace
+
+void setThreads(unsigned count) {
+  allowedThreads = count;
+}
+
+void forSlices(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
+  const std::size_t wanted = allowedThreads != 0 ? allowedThreads : std::thread::hardware_concurrency();
+  const std::size_t threads = std::clamp<std::size_t>(wanted, 1, kMaxThreads);
+  if (count < kMinShared || threads == 1) {
+    work(0, count);
+    return;
+  }
+  std::vector<std::exception_ptr> failures(threads);
+  const auto slice = [&](std::size_t w) {
+    try {
+      work(count * w / threads, count * (w + 1) / threads);
+    } catch (...) {
+      failures[w] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    workers.reserve(threads);
+    for (std::size_t w = 1; w < threads; ++w) {
+      try {
+        workers.emplace_back(slice, w);
+      } catch (const std::system_error&) {
+        slice(w);  // no more threads to be had
+      }
+    }
+    slice(0);
+  }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace jalousie::bake

@@ -1,0 +1,16 @@
+# cmake -DPROGRAM=FUZZER -DTARGET=NAME -DNODE=NODE -DSECONDS=N -DSOURCE=DIR -DWORK=DIR -P run.cmake
+# Runs a fuzz target from its seeds for some seconds. What it finds stays in WORK/found.
+if(NODE)
+  execute_process(COMMAND ${NODE} ${SOURCE}/../hostile/make_corpus.mjs ${WORK}/corpus-${TARGET} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${NODE} ${SOURCE}/make_seeds.mjs ${WORK}/corpus-${TARGET} ${WORK}/seeds-${TARGET} COMMAND_ERROR_IS_FATAL ANY)
+endif()
+set(seeds ${WORK}/seeds-${TARGET}/${TARGET})
+set(grown ${WORK}/grown/${TARGET})
+file(MAKE_DIRECTORY ${seeds} ${grown} ${WORK}/found)
+execute_process(
+  COMMAND ${PROGRAM} -max_total_time=${SECONDS} -timeout=10 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1
+          -dict=${SOURCE}/${TARGET}.dict -artifact_prefix=${WORK}/found/${TARGET}- ${grown} ${seeds}
+  RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${TARGET}: found something; the input is in ${WORK}/found")
+endif()
