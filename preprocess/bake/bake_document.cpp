@@ -18,11 +18,22 @@ namespace {
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
-std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::vector<int>& nodes) {
+/// Per node whether a chain that was there before lists it as a level.
+std::vector<bool> levelNodes(const tinygltf::Model& model) {
+  std::vector<bool> isLevel(model.nodes.size(), false);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    for (const int level : asset::lodNodes(model, static_cast<int>(n)))
+      isLevel[static_cast<std::size_t>(level)] = true;
+  return isLevel;
+}
+
+std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::vector<int>& nodes,
+                         const std::vector<bool>& isLevel) {
   for (const int n : nodes) {
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(n)];
     if (node.skin >= 0) return "it is skinned";
     if (node.extensions.contains("MSFT_lod")) return "it has a chain already";
+    if (isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
   }
   for (const tinygltf::Primitive& primitive : mesh.primitives)
     if (primitive.extensions.contains("KHR_draco_mesh_compression")) return "it is Draco-compressed";
@@ -126,12 +137,12 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Co
 }
 
 MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector<int>& nodes,
-                    const BakeOptions& options, const MeshProgress& progress) {
+                    const std::vector<bool>& isLevel, const BakeOptions& options, const MeshProgress& progress) {
   const tinygltf::Mesh& source = model.meshes[index];
   MeshReport report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
-  report.passedThrough = reasonToPass(model, source, nodes);
+  report.passedThrough = reasonToPass(model, source, nodes, isLevel);
   if (!report.passedThrough.empty()) return report;
 
   CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
@@ -200,13 +211,14 @@ std::vector<MeshReport> bakeDocument(
   std::vector<std::vector<int>> users(meshes);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     if (model.nodes[n].mesh >= 0) users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
+  const std::vector<bool> isLevel = levelNodes(model);
   std::vector<MeshReport> reports;
   for (std::size_t m = 0; m < meshes; ++m) {
     progress(m, meshes, model.meshes[m].name);
     if (users[m].empty()) continue;
     try {
       reports.push_back(
-          bakeMesh(model, m, users[m], options, [&](const std::string& what) { progress(m, meshes, what); }));
+          bakeMesh(model, m, users[m], isLevel, options, [&](const std::string& what) { progress(m, meshes, what); }));
     } catch (const Error& error) {
       const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
       throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));

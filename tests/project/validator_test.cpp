@@ -1,13 +1,13 @@
 // What the tools write passes the Khronos glTF validator without an error.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "bake/bake_fixtures.h"
+#include "support/node.h"
 #include "support/run_program.h"
 
 namespace jalousie {
@@ -16,18 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 
-std::optional<fs::path> findNode() {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (fs::exists(fs::path(folder) / "node")) return fs::path(folder) / "node";
-  return std::nullopt;
-}
-
 class Validator : public testing::Test {
  protected:
   void SetUp() override {
-    node_ = findNode();
+    node_ = test::findNode();
     if (!node_) GTEST_SKIP() << "Node.js is not installed";
     if (!fs::exists(kRoot / "assets/fetched/gltf-validator/package.json"))
       GTEST_SKIP() << "the validator is not here; assets/fetch validator gets it from the npm registry";

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "asset/scene_file.h"
@@ -22,6 +23,9 @@ asset::Primitive perforatedWall(std::uint32_t cells, float openShare, Random& ra
 
 /// File with one default material and one chain of spheres, `levels` of them, each with a quarter of the triangles.
 asset::SceneFile sphereChain(std::uint32_t levels);
+
+/// A sphere as ASCII PLY, without normals.
+std::string spherePly(std::uint32_t segments, std::uint32_t rings);
 
 /// Adds an instance with translation, uniform or other scale, and a rotation about an axis.
 void addInstance(asset::SceneFile& file, std::uint32_t chain, const glm::vec3& translation, const glm::vec3& scale,
