@@ -39,14 +39,19 @@ std::vector<BakeJob> singleJob(const CommandLine& command, const std::vector<std
 }
 
 std::vector<BakeJob> makeJobs(const CommandLine& command) {
-  std::vector<std::string> arguments = command.inputs;
-  if (!command.filesFrom.empty()) {
-    const std::vector<std::string> more = readList(command.filesFrom);
-    arguments.insert(arguments.end(), more.begin(), more.end());
+  std::vector<std::string> listed;
+  if (!command.filesFrom.empty()) listed = readList(command.filesFrom);
+  if (command.inputs.empty() && listed.empty())
+    throw Error(ErrorCode::kUsage, "the list names no file", command.filesFrom);
+  if (!isBatch(command)) {
+    listed.insert(listed.begin(), command.inputs.begin(), command.inputs.end());
+    return singleJob(command, listed);
   }
-  if (arguments.empty()) throw Error(ErrorCode::kUsage, "the list names no file", command.filesFrom);
-  if (!isBatch(command)) return singleJob(command, arguments);
-  return jobsInto(command.output, command.sheet, findInputs(arguments, command.output), command.keepExtension);
+  std::vector<InputFile> inputs = findInputs(command.inputs, command.output);
+  // Lists are made by programs, which name files of one name in many folders.
+  const std::vector<InputFile> more = findInputs(listed, command.output, true);
+  inputs.insert(inputs.end(), more.begin(), more.end());
+  return jobsInto(command.output, command.sheet, inputs, command.keepExtension);
 }
 
 std::map<JobStatus, std::size_t> countStatus(const BatchOutcome& outcome) {

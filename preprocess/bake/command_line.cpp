@@ -209,10 +209,12 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   program
       .add_option("--preset", chain.preset,
                   "best: position and attributes, two rounds of refit; fast: position, one round; draft: meshoptimizer")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Preset>{{"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},
-          CLI::ignore_case))
-      ->type_name("PRESET")
+      ->transform(CLI::Validator(CLI::CheckedTransformer(
+                                     std::map<std::string, Preset>{
+                                         {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},
+                                     CLI::ignore_case))
+                      .description(""))
+      ->type_name("best|fast|draft")
       ->default_str("best");
   program
       .add_option("--weight-normal", chain.collapse.normalWeight,

@@ -48,13 +48,16 @@ bool matches(fs::path::const_iterator part, const fs::path::const_iterator& end,
 
 class Finder {
  public:
-  explicit Finder(const fs::path& except) : except_(except.empty() ? fs::path() : canonicalPath(except)) {}
+  Finder(const fs::path& except, bool keepPaths)
+      : except_(except.empty() ? fs::path() : canonicalPath(except)), keepPaths_(keepPaths) {}
 
   void add(const std::string& argument) {
     std::error_code failed;
     if (fs::is_directory(argument, failed)) return walk(argument, fs::path());
     if (!fs::exists(argument, failed) && isPattern(argument)) return match(argument);
-    take(argument, fs::path(argument).filename());
+    const fs::path place = fs::path(argument).lexically_normal();
+    const bool isInside = place.is_relative() && !place.empty() && *place.begin() != "..";
+    take(argument, keepPaths_ && isInside ? place : place.filename());
   }
 
   std::vector<InputFile> finish() { return std::move(files_); }
@@ -111,14 +114,15 @@ class Finder {
   }
 
   fs::path except_;
+  bool keepPaths_;
   std::set<fs::path> seen_;
   std::vector<InputFile> files_;
 };
 
 }  // namespace
 
-std::vector<InputFile> findInputs(const std::vector<std::string>& arguments, const fs::path& except) {
-  Finder finder(except);
+std::vector<InputFile> findInputs(const std::vector<std::string>& arguments, const fs::path& except, bool keepPaths) {
+  Finder finder(except, keepPaths);
   for (const std::string& argument : arguments)
     finder.add(argument);
   return finder.finish();

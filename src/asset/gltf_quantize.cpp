@@ -25,7 +25,8 @@ constexpr std::uint64_t kNoLimit = ~0ULL;
 bool canQuantize(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
   return std::all_of(mesh.primitives.begin(), mesh.primitives.end(), [&](const tinygltf::Primitive& primitive) {
     return (primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == -1) && primitive.targets.empty() &&
-           !primitive.attributes.contains("JOINTS_0") && primitive.extensions.empty() &&
+           primitive.attributes.contains("POSITION") && !primitive.attributes.contains("JOINTS_0") &&
+           primitive.extensions.empty() &&
            std::all_of(primitive.attributes.begin(), primitive.attributes.end(), [&](const auto& attribute) {
              const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(attribute.second)];
              return accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT && accessor.count > 0;

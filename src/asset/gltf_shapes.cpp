@@ -85,7 +85,7 @@ class ShapeCheck {
   void checkMesh(const json& mesh) const {
     for (const json& primitive : requiredList(mesh, "primitives")) {
       if (!primitive.is_object()) fail("a primitive is not an object");
-      requiredObject(primitive, "attributes");
+      if (requiredObject(primitive, "attributes").empty()) fail("a primitive has no attributes");
       optionalList(primitive, "targets");
     }
   }

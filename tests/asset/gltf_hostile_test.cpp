@@ -7,6 +7,7 @@
 
 #include "asset/asset_fixtures.h"
 #include "asset/gltf_file.h"
+#include "asset/gltf_quantize.h"
 #include "asset/scene_file.h"
 
 namespace jalousie::asset {
@@ -152,6 +153,19 @@ TEST(GltfHostile, AnAnimationWithoutATarget) {  // found by the glTF fuzzer: it 
   document["animations"] = json::parse(R"([{"channels":[{"sampler":0,"targut":{"node":0,"path":"scale"}}],
                                            "samplers":[{"input":1,"output":0}]}])");
   EXPECT_EQ(load(glb(document.dump(), kTriangle)), ErrorCode::kMalformed);
+}
+
+TEST(GltfHostile, APrimitiveWithoutAttributes) {  // found by the glTF fuzzer: tinygltf does not write an empty object
+  EXPECT_EQ(loadPatched("/meshes/0/primitives/0/attributes", json::object()), ErrorCode::kMalformed);
+}
+
+TEST(GltfHostile, MeshesWithoutPositionsAreNotQuantised) {  // found by the bake fuzzer
+  json document = validDocument();
+  document["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
+  const TempFolder folder;
+  tinygltf::Model model = loadGltf(folder.write("a.glb", glb(document.dump(), kTriangle)));
+  quantizeModel(model);
+  EXPECT_TRUE(model.extensionsUsed.empty());
 }
 
 TEST(GltfHostile, AnOffsetIntoNoView) {  // found by the glTF fuzzer: it came back negative

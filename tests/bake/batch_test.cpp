@@ -197,6 +197,7 @@ TEST_F(BakeBatch, UnchangedOutputsGetTheTimeOfTheRun) {
 TEST_F(BakeBatch, ListsAndPatternsAreInputs) {
   write("list", "in/ball.ply\nin/quad.obj\n");
   EXPECT_EQ(report({"--files-from", "list", "-o", "out/"})["summary"]["baked"], 2);
+  EXPECT_TRUE(fs::exists(folder_ / "out/in/ball.glb"));
   EXPECT_EQ(report({"in/**/*.ply", "-o", "out/"})["summary"]["baked"], 2);
   EXPECT_EQ(bake({"--files-from", "nowhere", "-o", "out/"}).exitCode, 3);
   EXPECT_EQ(bake({"in/*.stl", "-o", "out/"}).exitCode, 3);

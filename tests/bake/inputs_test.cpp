@@ -58,6 +58,13 @@ TEST_F(Inputs, FilesStayInTheirOrderAndComeOnce) {
   EXPECT_EQ(find({at("missing.ply")}), (Paths{"missing.ply"})) << "one missing file must not stop the others";
 }
 
+TEST_F(Inputs, ListedFilesKeepTheirFolders) {
+  const auto place = [](const char* path) { return findInputs({path}, {}, true)[0].relative.string(); };
+  EXPECT_EQ(place("models/./a.ply"), "models/a.ply");
+  EXPECT_EQ(place("../a.ply"), "a.ply");
+  EXPECT_EQ(place("/somewhere/a.ply"), "a.ply");
+}
+
 TEST_F(Inputs, NothingFoundIsAnError) {
   std::filesystem::create_directory(folder_ / "empty");
   EXPECT_EQ(codeOf([&] { find({at("empty")}); }), ErrorCode::kFileNotFound);
