@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "bake/hard_edges.h"
 #include "bake/loose_parts.h"
@@ -83,6 +85,19 @@ void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std:
   }
 }
 
+/// Vertices of a mesh whose positions are NaN or infinite.
+std::uint64_t countNotFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits) {
+  std::set<int> accessors;  // primitives may share them
+  for (const tinygltf::Primitive& primitive : mesh.primitives)
+    if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
+      accessors.insert(found->second);
+  std::uint64_t count = 0;
+  for (const int accessor : accessors)
+    for (const glm::vec3& p : asset::readVec3(model, accessor, limits.maxAccessorElements))
+      count += std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? 0U : 1U;
+  return count;
+}
+
 using MeshProgress = std::function<void(const std::string&)>;
 
 MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
@@ -143,7 +158,10 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, isLevel);
-  if (!report.passedThrough.empty()) return report;
+  if (!report.passedThrough.empty()) {
+    report.findings.notFinitePassedOn = countNotFinite(model, source, options.limits);
+    return report;
+  }
 
   CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
   const CleanCounts cleaned = cleanMesh(mesh);

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
+#include "bake/report.h"
 #include "support/run_program.h"
 
 namespace jalousie::bake {
@@ -178,6 +181,18 @@ TEST(BakeDocument, ABakedDocumentStaysAsItIs) {  // found by flipping bits: leve
   for (const MeshReport& report : bakeIt(again))
     EXPECT_FALSE(report.passedThrough.empty()) << report.name;
   EXPECT_EQ(asset::encodeGlb(std::move(again)), once);
+}
+
+TEST(BakeDocument, BadPositionsOfPassedMeshesAreReported) {
+  tinygltf::Model model = document();
+  std::vector<glm::vec3> points = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}};
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_POINTS;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, points, 0);
+  model.meshes[1].primitives = {primitive};
+  const std::vector<MeshReport> reports = bakeIt(model);
+  EXPECT_EQ(reports[1].findings.notFinitePassedOn, 2U);
+  EXPECT_NE(reportText(reports).find("2 vertices with NaN"), std::string::npos);
 }
 
 }  // namespace
