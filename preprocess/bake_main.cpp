@@ -1,7 +1,6 @@
 // jalousie-bake: meshes in, glTF with measured LOD chains out.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "bake/sheet.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/standard_streams.h"
 
 namespace {
 
@@ -27,9 +27,9 @@ void inspect(const bake::CommandLine& command) {
     writeFileAtomic(command.sheet, bake::sheetHtml(model, options));
   }
   if (command.json == "-") {
-    fmt::print("{}", bake::inspectJson(chains));
+    printOutput(bake::inspectJson(chains));
   } else if (!command.quiet) {
-    fmt::print("{}", bake::inspectText(chains));
+    printOutput(bake::inspectText(chains));
   }
 }
 
@@ -37,6 +37,7 @@ void inspect(const bake::CommandLine& command) {
 
 int main(int argc, char** argv) {
   std::string input;
+  openStandardStreams();
   try {
     const std::optional<bake::CommandLine> command = bake::parseCommandLine(argc, argv);
     if (!command) return 0;
@@ -47,10 +48,10 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     // Errors about the content carry no path of their own.
     const bool aboutInput = error.file().empty() && error.code() != ErrorCode::kUsage && !input.empty();
-    fmt::print(stderr, "jalousie-bake: {}{}\n", aboutInput ? input + ": " : "", error.what());
+    printError(fmt::format("jalousie-bake: {}{}", aboutInput ? oneLine(input) + ": " : "", error.what()));
     return error.exitCode();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "jalousie-bake: {}{}\n", input.empty() ? "" : input + ": ", error.what());
+    printError(fmt::format("jalousie-bake: {}{}", input.empty() ? "" : oneLine(input) + ": ", oneLine(error.what())));
     return static_cast<int>(ErrorCode::kInternal);
   }
 }

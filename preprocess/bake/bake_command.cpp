@@ -15,6 +15,7 @@
 #include "bake/inputs.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/standard_streams.h"
 
 namespace jalousie::bake {
 namespace {
@@ -41,15 +42,13 @@ std::vector<BakeJob> singleJob(const CommandLine& command, const std::vector<std
 std::vector<BakeJob> makeJobs(const CommandLine& command) {
   std::vector<std::string> listed;
   if (!command.filesFrom.empty()) listed = readList(command.filesFrom);
-  if (command.inputs.empty() && listed.empty())
-    throw Error(ErrorCode::kUsage, "the list names no file", command.filesFrom);
   if (!isBatch(command)) {
     listed.insert(listed.begin(), command.inputs.begin(), command.inputs.end());
+    if (listed.empty()) throw Error(ErrorCode::kUsage, "the list names no file", command.filesFrom);
     return singleJob(command, listed);
   }
-  std::vector<InputFile> inputs = findInputs(command.inputs, command.output);
-  // Lists are made by programs, which name files of one name in many folders.
-  const std::vector<InputFile> more = findInputs(listed, command.output, true);
+  std::vector<InputFile> inputs = findInputs(command.inputs, {command.output, command.cache});
+  const std::vector<InputFile> more = listedInputs(listed);
   inputs.insert(inputs.end(), more.begin(), more.end());
   return jobsInto(command.output, command.sheet, inputs, command.keepExtension);
 }
@@ -101,12 +100,19 @@ std::string batchJson(const std::vector<BakeJob>& jobs, const BatchOutcome& outc
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// A rule for each output, also of inputs that failed: what is there from an earlier run depends on them. Interrupted
+/// runs leave the old file, which knows more.
 void writeDepfile(const CommandLine& command, const std::vector<BakeJob>& jobs, const BatchOutcome& outcome) {
-  if (command.depfile.empty()) return;
+  if (command.depfile.empty() || outcome.interrupted) return;
   std::string text;
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    if (!outcome.jobs[i].failure && outcome.jobs[i].result.status != JobStatus::kNotStarted)
-      text += depfileRule(jobs[i].output, outcome.jobs[i].result.dependencies);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const JobOutcome& job = outcome.jobs[i];
+    try {
+      text += depfileRule(jobs[i].output, job.failure ? jobs[i].inputs : job.result.dependencies);
+    } catch (const Error& error) {
+      printError(fmt::format("jalousie-bake: warning: {}", error.what()));
+    }
+  }
   writeFileAtomic(command.depfile, text);
 }
 
@@ -117,13 +123,13 @@ void tell(const CommandLine& command, const std::vector<BakeJob>& jobs, const Ba
   if (!batch && !done) return;
   const std::string json = batch ? batchJson(jobs, outcome) : outcome.jobs[0].result.report;
   if (command.json == "-") {
-    fmt::print("{}", json);
+    printOutput(json);
     return;
   }
   if (!command.json.empty()) writeFileAtomic(command.json, json);
-  if (!command.quiet) fmt::print("{}", batch ? summaryText(outcome) : outcome.jobs[0].result.table);
+  if (!command.quiet) printOutput(batch ? summaryText(outcome) : outcome.jobs[0].result.table);
   if (!command.quiet && !batch && outcome.jobs[0].result.status != JobStatus::kBaked)
-    fmt::print("{}: {}\n", command.output.string(), statusName(outcome.jobs[0].result.status));
+    printOutput(fmt::format("{}: {}\n", oneLine(command.output.string()), statusName(outcome.jobs[0].result.status)));
 }
 
 JobSettings settingsOf(const CommandLine& command) {
@@ -156,13 +162,14 @@ int runBake(const CommandLine& command) {
   options.quiet = command.quiet;
   options.lines = isBatch(command);
   const BatchOutcome outcome = runBatch(jobs, settingsOf(command), options);
-  if (!command.cache.empty()) trimCache(command.cache, command.cacheLimit);
-  writeDepfile(command, jobs, outcome);
+  if (!command.cache.empty() && countStatus(outcome)[JobStatus::kBaked] > 0)
+    trimCache(command.cache, command.cacheLimit);
   tell(command, jobs, outcome);
+  writeDepfile(command, jobs, outcome);
   if (outcome.interrupted) {
     const std::size_t open = countStatus(outcome)[JobStatus::kNotStarted];
-    fmt::print(stderr, "jalousie-bake: interrupted; {} of {} files are not done, the others are whole\n", open,
-               jobs.size());
+    printError(fmt::format("jalousie-bake: interrupted; {} of {} files are not done, the others are whole", open,
+                           jobs.size()));
   }
   return exitCode(command, outcome);
 }

@@ -2,9 +2,12 @@
 #include "bake/bake_document.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
@@ -57,23 +60,40 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
+/// Where each node is moved: pairs of animation and channel, by node.
+using ChannelIndex = std::multimap<int, std::pair<std::size_t, std::size_t>>;
+
+ChannelIndex indexChannels(const tinygltf::Model& model) {
+  ChannelIndex index;
+  for (std::size_t a = 0; a < model.animations.size(); ++a)
+    for (std::size_t c = 0; c < model.animations[a].channels.size(); ++c)
+      if (model.animations[a].channels[c].target_path != "weights")
+        index.emplace(model.animations[a].channels[c].target_node, std::pair(a, c));
+  return index;
+}
+
 /// Levels move as LOD 0 does: every channel that moves its node moves theirs.
-void animateLevels(tinygltf::Model& model, int node, const std::vector<int>& levels) {
-  for (tinygltf::Animation& animation : model.animations) {
-    std::vector<tinygltf::AnimationChannel> copies;
-    for (const tinygltf::AnimationChannel& channel : animation.channels) {
-      if (channel.target_node != node || channel.target_path == "weights") continue;
-      for (const int level : levels) {
-        copies.push_back(channel);
-        copies.back().target_node = level;
-      }
+void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int node, const std::vector<int>& levels) {
+  const auto [first, last] = channels.equal_range(node);
+  for (auto at = first; at != last; ++at) {
+    std::vector<tinygltf::AnimationChannel>& list = model.animations[at->second.first].channels;
+    for (const int level : levels) {
+      tinygltf::AnimationChannel copy = list[at->second.second];
+      copy.target_node = level;
+      list.push_back(std::move(copy));
     }
-    animation.channels.insert(animation.channels.end(), copies.begin(), copies.end());
   }
 }
 
-void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std::vector<int>& levelMeshes,
-               const std::vector<float>& coverage) {
+/// What bakeDocument knows of the document as it was.
+struct Before {
+  std::vector<std::vector<int>> users;  ///< per mesh the nodes that use it
+  std::vector<bool> isLevel;            ///< per node
+  ChannelIndex channels;
+};
+
+void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<int>& nodes,
+               const std::vector<int>& levelMeshes, const std::vector<float>& coverage) {
   if (levelMeshes.size() < 2) return;
   for (const int n : nodes) {
     const tinygltf::Node source = model.nodes[static_cast<std::size_t>(n)];
@@ -81,7 +101,7 @@ void linkNodes(tinygltf::Model& model, const std::vector<int>& nodes, const std:
     for (std::size_t k = 1; k < levelMeshes.size(); ++k)
       lower.push_back(appendLevelNode(model, source, levelMeshes[k], k));
     asset::setLodChain(model, n, lower, coverage);
-    animateLevels(model, n, lower);
+    animateLevels(model, before.channels, n, lower);
   }
 }
 
@@ -151,13 +171,14 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Co
   return levelMeshes;
 }
 
-MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector<int>& nodes,
-                    const std::vector<bool>& isLevel, const BakeOptions& options, const MeshProgress& progress) {
+MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                    const MeshProgress& progress) {
+  const std::vector<int>& nodes = before.users[index];
   const tinygltf::Mesh& source = model.meshes[index];
   MeshReport report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
-  report.passedThrough = reasonToPass(model, source, nodes, isLevel);
+  report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
   if (!report.passedThrough.empty()) {
     report.findings.notFinitePassedOn = countNotFinite(model, source, options.limits);
     return report;
@@ -192,12 +213,12 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const std::vector
   const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
-  linkNodes(model, nodes, writeLevels(model, index, mesh, chain, report), coverage);
+  linkNodes(model, before, nodes, writeLevels(model, index, mesh, chain, report), coverage);
   return report;
 }
 
 /// Primitives may share their accessors, and each is read for itself: a small file can ask for any amount of work.
-constexpr std::uint64_t kFreeElements = 1ULL << 24U;
+constexpr std::uint64_t kFreeElements = 1ULL << 20U;
 constexpr std::uint64_t kMaxElementsPerByte = 64;
 
 void checkDemand(const tinygltf::Model& model) {
@@ -226,17 +247,17 @@ std::vector<MeshReport> bakeDocument(
     const std::function<void(std::size_t, std::size_t, const std::string&)>& progress) {
   checkDemand(model);
   const std::size_t meshes = model.meshes.size();
-  std::vector<std::vector<int>> users(meshes);
+  Before before{std::vector<std::vector<int>>(meshes), levelNodes(model), indexChannels(model)};
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
-    if (model.nodes[n].mesh >= 0) users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
-  const std::vector<bool> isLevel = levelNodes(model);
+    if (model.nodes[n].mesh >= 0)
+      before.users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
   std::vector<MeshReport> reports;
   for (std::size_t m = 0; m < meshes; ++m) {
     progress(m, meshes, model.meshes[m].name);
-    if (users[m].empty()) continue;
+    if (before.users[m].empty()) continue;
     try {
       reports.push_back(
-          bakeMesh(model, m, users[m], isLevel, options, [&](const std::string& what) { progress(m, meshes, what); }));
+          bakeMesh(model, m, before, options, [&](const std::string& what) { progress(m, meshes, what); }));
     } catch (const Error& error) {
       const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
       throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));

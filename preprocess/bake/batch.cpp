@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <limits>
 #include <list>
 #include <set>
 #include <string>
@@ -26,14 +28,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kMaxJobs = 256;
 
-/// SIGINT, SIGTERM and SIGHUP as something to read; what was set before comes back at the end.
+/// SIGINT, SIGTERM and SIGHUP as something to read, unless they are ignored, as nohup wants it; what was set before
+/// comes back at the end.
 class Interruptions {
  public:
   Interruptions() {
     sigset_t signals;
     ::sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-      ::sigaddset(&signals, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action = {};
+      if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+    }
+    ::signal(SIGCHLD, SIG_DFL);  // ignored, it would take the exit codes of workers away
     ::sigprocmask(SIG_BLOCK, &signals, &before_);
     descriptor_ = Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
     if (!descriptor_.valid()) throw Error(ErrorCode::kInternal, std::strerror(errno));
@@ -68,6 +74,15 @@ std::string durationText(double seconds) {
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
   return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+/// The memory that a container or a scheduler leaves us; all there is if nobody says.
+std::uint64_t controlGroupMemory() {
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::uint64_t bytes = 0;
+    if (std::ifstream(file) >> bytes && bytes > 0) return bytes;
+  }
+  return std::numeric_limits<std::uint64_t>::max();
 }
 
 struct Running {
@@ -116,20 +131,25 @@ class Batch {
   std::uint64_t memoryShare() const {
     const auto pages = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
     const auto page = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
-    return pages * page / 10 * 9 / std::max<std::size_t>(workers_, 1);
+    return std::min(pages * page, controlGroupMemory()) / 10 * 9 / std::max<std::size_t>(workers_, 1);
   }
 
   std::set<fs::path> outputFolders() const {
     std::set<fs::path> folders;
     for (const BakeJob& job : jobs_)
       for (const fs::path& file : {job.output, job.sheet})
-        if (!file.empty()) folders.insert(file.has_parent_path() ? file.parent_path() : fs::path("."));
+        if (!file.empty()) folders.insert(folderOf(file));
     return folders;
   }
 
   void startWorkers() {
     while (running_.size() < workers_ && next_ < jobs_.size()) {
-      running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits_), Clock::now()});
+      try {
+        running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits_), Clock::now()});
+      } catch (const Error&) {
+        if (running_.empty()) throw;
+        return;  // no more processes or pipes to be had; those that run will give theirs back
+      }
       ++next_;
     }
   }
@@ -175,8 +195,8 @@ class Batch {
       progress_.print(fmt::format("jalousie-bake: warning: {}", outcome.result.warning));
     if (!options_.lines || options_.quiet || progress_.visible()) return;
     progress_.print(fmt::format("[{}/{}] {} {} -> {} ({:.1f} s)", finished_, jobs_.size(),
-                                statusName(outcome.result.status), job.inputs.front().string(), job.output.string(),
-                                seconds));
+                                statusName(outcome.result.status), oneLine(job.inputs.front().string()),
+                                oneLine(job.output.string()), seconds));
   }
 
   void showProgress() {
@@ -184,8 +204,8 @@ class Batch {
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     std::string text = fmt::format("{} of {} files", finished_, jobs_.size());
     if (finished_ > 0) {
-      const double left =
-          elapsed * static_cast<double>(totalBytes_ - finishedBytes_) / static_cast<double>(finishedBytes_);
+      const double left = elapsed * static_cast<double>(totalBytes_ - std::min(totalBytes_, finishedBytes_)) /
+                          static_cast<double>(finishedBytes_);
       text += fmt::format(", {:.3g} files/s, {} left", static_cast<double>(finished_) / elapsed, durationText(left));
     }
     if (!running_.empty()) text += ": " + jobs_[running_.front().job].inputs.front().filename().string();

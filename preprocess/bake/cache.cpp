@@ -63,7 +63,7 @@ bool stillHolds(const std::vector<ReadFile>& read, const BakeJob& job, const ass
     const fs::path& input = job.inputs[file.input];
     std::optional<std::string> now;
     try {
-      const ConfinedFolder folder(input.has_parent_path() ? input.parent_path() : fs::path("."));
+      const ConfinedFolder folder(folderOf(input));
       now = sha256(folder.readFile(file.name, limits.maxFileBytes));
     } catch (const Error& error) {
       if (error.code() != ErrorCode::kFileNotFound) return false;

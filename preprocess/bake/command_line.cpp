@@ -50,6 +50,13 @@ constexpr const char* kBaking = "Baking";    // options that decide what the byt
 constexpr const char* kRunning = "Running";  // options that do not
 constexpr const char* kOutputs = "Files";
 
+/// "512M" as bytes, without CLI11's list of units in the help.
+CLI::Validator bytesWithUnit() {
+  CLI::Validator validator = CLI::AsSizeValue(false);
+  validator.description("");
+  return validator;
+}
+
 /// The options of one group that were given, with their values.
 std::string chosenOptions(const CLI::App& program, const char* group) {
   std::string text;
@@ -127,14 +134,14 @@ void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
                   "Keep results here by content, and take them instead of baking again; may be shared")
       ->type_name("DIR");
   program.add_option("--cache-limit", result.cacheLimit, "Forget what was not used for longest beyond this size")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytesWithUnit())
       ->type_name("SIZE")
       ->default_str("10G");
   program
       .add_option(
           "--max-memory", result.maxMemory,
           "Memory of one bake, e.g. 512M; 0 for no limit (default: nine tenths of the machine's, shared by the jobs)")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytesWithUnit())
       ->type_name("SIZE");
   program.add_option("--timeout", timeout, "Give up on a file after this many seconds")
       ->check(CLI::Range(0.001, 1e6))

@@ -2,6 +2,7 @@
 #include "bake/import.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "asset/accessor.h"
 #include "bake/digest.h"
@@ -35,10 +36,16 @@ tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int
   return primitive;
 }
 
+/// JSON is UTF-8; whatever else stands in names of files and materials becomes U+FFFD.
+std::string utf8(const std::string& text) {
+  using nlohmann::json;
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
 int appendMaterial(tinygltf::Model& model, const ObjPart& part) {
   if (part.material.empty()) return -1;
   tinygltf::Material material;
-  material.name = part.material;
+  material.name = utf8(part.material);
   material.pbrMetallicRoughness.baseColorFactor = {part.baseColor.r, part.baseColor.g, part.baseColor.b,
                                                    part.baseColor.a};
   material.pbrMetallicRoughness.metallicFactor = 0.0;
@@ -69,7 +76,7 @@ void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const 
                 const asset::ReadObserver& observer) {
   const std::string extension = lowerExtension(file);
   tinygltf::Mesh mesh;
-  mesh.name = file.stem().string();
+  mesh.name = utf8(file.stem().string());
   if (extension == ".ply") {
     mesh.primitives.push_back(makePrimitive(model, readPly(bytes, file), -1));
   } else if (extension == ".obj") {

@@ -48,33 +48,35 @@ bool matches(fs::path::const_iterator part, const fs::path::const_iterator& end,
 
 class Finder {
  public:
-  Finder(const fs::path& except, bool keepPaths)
-      : except_(except.empty() ? fs::path() : canonicalPath(except)), keepPaths_(keepPaths) {}
+  explicit Finder(const std::vector<fs::path>& except) {
+    for (const fs::path& folder : except)
+      if (!folder.empty()) except_.insert(canonicalPath(folder));
+  }
 
   void add(const std::string& argument) {
     std::error_code failed;
     if (fs::is_directory(argument, failed)) return walk(argument, fs::path());
     if (!fs::exists(argument, failed) && isPattern(argument)) return match(argument);
-    const fs::path place = fs::path(argument).lexically_normal();
-    const bool isInside = place.is_relative() && !place.empty() && *place.begin() != "..";
-    take(argument, keepPaths_ && isInside ? place : place.filename());
+    take(argument, fs::path(argument).filename());
   }
 
   std::vector<InputFile> finish() { return std::move(files_); }
 
  private:
   void take(const fs::path& path, const fs::path& relative) {
-    if (seen_.insert(canonicalPath(path)).second) files_.push_back({path, relative});
+    if (seen_.insert(fs::absolute(path).lexically_normal()).second) files_.push_back({path, relative});
   }
 
   /// Files below a folder, all of a known kind or those whose relative path matches a pattern.
   void walk(const fs::path& folder, const fs::path& pattern) {
+    const auto depth = static_cast<int>(std::distance(pattern.begin(), pattern.end()));
+    const bool bounded = !pattern.empty() && std::find(pattern.begin(), pattern.end(), "**") == pattern.end();
     std::vector<fs::path> found;
     try {
-      for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied);
-           at != fs::recursive_directory_iterator(); ++at) {
+      for (auto at = fs::recursive_directory_iterator(folder); at != fs::recursive_directory_iterator(); ++at) {
+        if (bounded && at.depth() + 1 >= depth) at.disable_recursion_pending();
         const bool hidden = at->path().filename().string().starts_with('.');
-        if (at->is_symlink() || hidden || (!except_.empty() && canonicalPath(at->path()) == except_)) {
+        if (at->is_symlink() || hidden || (at->is_directory() && except_.contains(canonicalPath(at->path())))) {
           at.disable_recursion_pending();
         } else if (at->is_regular_file()) {
           const fs::path relative = at->path().lexically_relative(folder);
@@ -85,7 +87,8 @@ class Finder {
         }
       }
     } catch (const fs::filesystem_error& error) {
-      throw Error(ErrorCode::kFileUnreadable, error.code().message(), error.path1());
+      throw Error(ErrorCode::kFileUnreadable, "a folder in it cannot be read: " + error.code().message(),
+                  error.path1().empty() ? folder : error.path1());
     }
     if (found.empty())
       throw Error(ErrorCode::kFileNotFound,
@@ -113,19 +116,29 @@ class Finder {
     walk(folder, pattern);
   }
 
-  fs::path except_;
-  bool keepPaths_;
+  std::set<fs::path> except_;
   std::set<fs::path> seen_;
   std::vector<InputFile> files_;
 };
 
 }  // namespace
 
-std::vector<InputFile> findInputs(const std::vector<std::string>& arguments, const fs::path& except, bool keepPaths) {
-  Finder finder(except, keepPaths);
+std::vector<InputFile> findInputs(const std::vector<std::string>& arguments, const std::vector<fs::path>& except) {
+  Finder finder(except);
   for (const std::string& argument : arguments)
     finder.add(argument);
   return finder.finish();
+}
+
+std::vector<InputFile> listedInputs(const std::vector<std::string>& files) {
+  std::vector<InputFile> result;
+  std::set<fs::path> seen;
+  for (const fs::path file : files) {
+    const fs::path place = file.lexically_normal();
+    const bool isInside = place.is_relative() && !place.empty() && *place.begin() != "..";
+    if (seen.insert(place).second) result.push_back({file, isInside ? place : place.filename()});
+  }
+  return result;
 }
 
 std::vector<std::string> readList(const fs::path& file) {

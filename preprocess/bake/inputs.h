@@ -17,11 +17,14 @@ struct InputFile {
 
 /// Files stay; folders give all .ply, .obj, .gltf and .glb files below them; patterns with *, ?, [...] and ** (any
 /// number of folders) the files they match. Sorted by path within each argument, files that come twice only once;
-/// hidden files and links found on the way are passed over, and so is everything in the folder `except` (may be empty).
-/// @param keepPaths  files keep the path they are given with, if it is a relative one, as their place
+/// hidden files and links found on the way are passed over, and so is everything in the folders `except`.
 /// Errors: kFileNotFound (a pattern or folder with no files), kFileUnreadable.
-std::vector<InputFile> findInputs(const std::vector<std::string>& arguments, const std::filesystem::path& except,
-                                  bool keepPaths = false);
+std::vector<InputFile> findInputs(const std::vector<std::string>& arguments,
+                                  const std::vector<std::filesystem::path>& except = {});
+
+/// The files of a list, each as it stands there, be it missing: lists are made by programs. A relative path is its
+/// place.
+std::vector<InputFile> listedInputs(const std::vector<std::string>& files);
 
 /// One path a line. @param file  "-" reads standard input. Errors: those of readFile.
 std::vector<std::string> readList(const std::filesystem::path& file);

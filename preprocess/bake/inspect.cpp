@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
+
 namespace jalousie::bake {
 namespace {
 
@@ -103,7 +105,7 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
 std::string inspectText(const std::vector<InspectedChain>& chains) {
   std::string text;
   for (const InspectedChain& chain : chains) {
-    text += fmt::format("{}: {} level{}, {} node{}\n", chain.name, chain.levels.size(),
+    text += fmt::format("{}: {} level{}, {} node{}\n", oneLine(chain.name), chain.levels.size(),
                         chain.levels.size() == 1 ? "" : "s", chain.nodes, chain.nodes == 1 ? "" : "s");
     text += fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD", "triangles",
                         "vertices", "%", "max %", "mean %", "normal", "p95", "uv", "coverage");

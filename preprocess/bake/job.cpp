@@ -20,14 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folderOf(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path();
-}
-
 std::vector<fs::path> dependencyPaths(const BakeJob& job, const std::vector<ReadFile>& read) {
   std::vector<fs::path> paths = job.inputs;
   for (const ReadFile& file : read)
-    if (!file.name.empty() && file.sha256) paths.push_back(folderOf(job.inputs[file.input]) / file.name);
+    if (!file.name.empty() && file.sha256) paths.push_back(job.inputs[file.input].parent_path() / file.name);
   return paths;
 }
 

@@ -47,7 +47,7 @@ struct JobResult {
 };
 
 /// Bakes or takes from the cache, and writes sheet and output. Errors: those of importFiles, bakeDocument and
-/// writeFileAtomic; nothing is written then.
+/// writeFileAtomic; the output is intact then.
 /// @param progress  what the bake is at, in words
 JobResult runJob(const BakeJob& job, const JobSettings& settings,
                  const std::function<void(const std::string&)>& progress);

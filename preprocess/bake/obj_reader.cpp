@@ -8,16 +8,19 @@
 #include <map>
 #include <sstream>
 #include <streambuf>
+#include <string_view>
 #include <tuple>
 
 #include "bake/obj_filter.h"
 #include "core/confined_folder.h"
 #include "core/error.h"
+#include "core/file.h"
 
 namespace jalousie::bake {
 namespace {
 
-constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;
+constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;  ///< of all material files together
+constexpr std::size_t kMaxMaterials = 10'000;              ///< the library spends two kilobytes on each
 
 /// Hands tinyobjloader the material files of a source.
 class SourcedMaterials : public tinyobj::MaterialReader {
@@ -28,6 +31,13 @@ class SourcedMaterials : public tinyobj::MaterialReader {
                   std::map<std::string, int>* indices, std::string* warning, std::string* error) override {
     const std::optional<std::vector<std::byte>> bytes = source_(name);
     if (!bytes) return false;
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    bytes_ += bytes->size();
+    std::size_t count = materials->size();
+    for (std::size_t at = text.find("newmtl"); at != std::string_view::npos; at = text.find("newmtl", at + 6))
+      ++count;
+    if (count > kMaxMaterials || bytes_ > kMaxMaterialBytes)
+      throw Error(ErrorCode::kLimit, "the material files hold too much");
     std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
     tinyobj::LoadMtl(indices, materials, &stream, warning, error);
     return true;
@@ -35,6 +45,7 @@ class SourcedMaterials : public tinyobj::MaterialReader {
 
  private:
   const MaterialSource& source_;
+  std::uint64_t bytes_ = 0;
 };
 
 float linearFromSrgb(float value) {
@@ -107,12 +118,12 @@ std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesy
                              const asset::ReadObserver& observer) {
   std::optional<ConfinedFolder> folder;
   const auto source = [&](const std::string& name) -> std::optional<std::vector<std::byte>> {
-    if (!folder) folder.emplace(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+    if (!folder) folder.emplace(folderOf(file));
     std::optional<std::vector<std::byte>> content;
     try {
       content = folder->readFile(name, kMaxMaterialBytes);
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::kFileNotFound) return std::nullopt;
+    } catch (const Error&) {
+      content.reset();  // told of as absent: once it can be read, the result is another
     }
     if (observer) observer(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
     return content;

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/error.h"
+
 namespace jalousie::bake {
 namespace {
 
@@ -71,10 +73,11 @@ std::string reportText(const std::vector<MeshReport>& meshes) {
   std::string text;
   for (const MeshReport& mesh : meshes) {
     if (!mesh.passedThrough.empty()) {
-      text += fmt::format("{}: passed through, {}\n", mesh.name, mesh.passedThrough) + findingsText(mesh.findings);
+      text +=
+          fmt::format("{}: passed through, {}\n", oneLine(mesh.name), mesh.passedThrough) + findingsText(mesh.findings);
       continue;
     }
-    text += fmt::format("{}: {} levels, {}\n", mesh.name, mesh.levels.size(), mesh.stopReason);
+    text += fmt::format("{}: {} levels, {}\n", oneLine(mesh.name), mesh.levels.size(), mesh.stopReason);
     text += findingsText(mesh.findings) + levelsText(mesh);
   }
   return text;

@@ -27,17 +27,25 @@ namespace {
 using Fields = std::vector<std::string>;
 
 void appendNumber(std::string& text, std::size_t value) {
-  const auto number = static_cast<std::uint32_t>(value);
+  const std::uint64_t number = value;
   text.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
+std::uint64_t numberAt(const std::string& text, std::size_t at) {
+  std::uint64_t number = 0;
+  if (at + sizeof number <= text.size()) std::memcpy(&number, text.data() + at, sizeof number);
+  return number;
+}
+
 void send(int pipe, char kind, const Fields& fields) {
-  std::string message(1, kind);
-  appendNumber(message, fields.size());
+  std::string content(1, kind);
   for (const std::string& field : fields) {
-    appendNumber(message, field.size());
-    message += field;
+    appendNumber(content, field.size());
+    content += field;
   }
+  std::string message;
+  appendNumber(message, content.size());
+  message += content;
   std::size_t sent = 0;
   while (sent < message.size()) {
     const ssize_t written = ::write(pipe, message.data() + sent, message.size() - sent);
@@ -48,24 +56,17 @@ void send(int pipe, char kind, const Fields& fields) {
 
 /// Takes a complete message from the front of `received`; false if there is none yet.
 bool takeMessage(std::string& received, char& kind, Fields& fields) {
-  std::size_t at = 1;
-  const auto number = [&](std::uint32_t& value) {
-    if (received.size() < at + sizeof value) return false;
-    std::memcpy(&value, received.data() + at, sizeof value);
-    at += sizeof value;
-    return true;
-  };
-  std::uint32_t count = 0;
-  if (!number(count)) return false;
+  constexpr std::size_t kNumber = sizeof(std::uint64_t);
+  if (received.size() < kNumber + 1 || received.size() - kNumber < numberAt(received, 0)) return false;
+  const std::size_t end = kNumber + static_cast<std::size_t>(numberAt(received, 0));
+  kind = received[kNumber];
   fields.clear();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    std::uint32_t length = 0;
-    if (!number(length) || received.size() - at < length) return false;
-    fields.push_back(received.substr(at, length));
-    at += length;
+  for (std::size_t at = kNumber + 1; at + kNumber <= end;) {
+    const auto length = static_cast<std::size_t>(numberAt(received, at));
+    fields.push_back(received.substr(at + kNumber, length));
+    at += kNumber + length;
   }
-  kind = received[0];
-  received.erase(0, at);
+  received.erase(0, end);
   return true;
 }
 
@@ -80,7 +81,7 @@ void limitMemory(std::uint64_t bytes) {
 }
 
 [[noreturn]] void fail(int pipe, ErrorCode code, const std::string& message) {
-  send(pipe, 'E', {fmt::format("{}", static_cast<int>(code)), message});
+  send(pipe, 'E', {fmt::format("{}", static_cast<int>(code)), oneLine(message)});
   std::exit(static_cast<int>(code));
 }
 
@@ -95,7 +96,7 @@ void limitMemory(std::uint64_t bytes) {
       const auto now = std::chrono::steady_clock::now();
       if (now < nextReport) return;
       nextReport = now + std::chrono::milliseconds(100);
-      send(pipe, 'P', {what});
+      send(pipe, 'P', {what.substr(0, 500)});
     });
     Fields fields = {fmt::format("{}", static_cast<int>(result.status)), result.report, result.table, result.warning};
     for (const std::filesystem::path& file : result.dependencies)
@@ -118,7 +119,7 @@ void limitMemory(std::uint64_t bytes) {
 }  // namespace
 
 Worker::Worker(const BakeJob& job, const JobSettings& settings, const WorkerLimits& limits)
-    : firstInput_(job.inputs.front().string()) {
+    : firstInput_(oneLine(job.inputs.front().string())) {
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0) throw Error(ErrorCode::kInternal, std::strerror(errno));
   pipe_ = Descriptor(ends[0]);
@@ -153,7 +154,7 @@ Worker::~Worker() {
 }
 
 bool Worker::listen() {
-  char buffer[65536];
+  static char buffer[1 << 20];
   const ssize_t got = ::read(pipe_.get(), buffer, sizeof buffer);
   if (got < 0) return errno == EINTR || errno == EAGAIN;
   received_.append(buffer, static_cast<std::size_t>(got));

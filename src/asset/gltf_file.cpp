@@ -105,7 +105,7 @@ std::vector<unsigned char> loadBuffer(const json& buffer, std::size_t index, con
   } else {
     if (index != 0 || !parts.binary)
       throw Error(ErrorCode::kMalformed, fmt::format("buffer {} has neither URI nor chunk", index), file);
-    data = loader.copy(*parts.binary);
+    data = loader.copy(*parts.binary, true);
   }
   if (data.size() < length)
     throw Error(ErrorCode::kMalformed, fmt::format("buffer {} has {} of {} bytes", index, data.size(), length), file);
@@ -219,7 +219,7 @@ void fillImages(tinygltf::Model& model, const Resources& resources, detail::Reso
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     tinygltf::Image& image = model.images[i];
     image.bufferView = resources.images[i].bufferView;
-    if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView));
+    if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
     if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
     try {
       checkImageHeader(std::as_bytes(std::span(image.image)), limits.maxImageSide);

@@ -22,6 +22,7 @@ using Bytes = std::vector<unsigned char>;
 
 /// Most bytes that one compressed byte can stand for.
 constexpr std::uint64_t kMaxExpansion = 64;
+constexpr std::uint64_t kFreeBytes = 64ULL << 20U;
 
 /// One compressed view, its numbers checked.
 struct Compressed {
@@ -219,15 +220,18 @@ void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limit
   const auto views = document.find("bufferViews");
   if (views == document.end()) return;
   std::uint64_t total = 0;
+  std::uint64_t given = 0;
+  for (const Bytes& buffer : buffers)
+    given += buffer.size();
+  const std::uint64_t most = std::min(limits.maxFileBytes, kFreeBytes + kMaxExpansion * given);
   for (std::size_t i = 0; i < views->size(); ++i) {
     json& view = (*views)[i];
     const auto extensions = view.find("extensions");
     if (extensions == view.end() || !extensions->is_object() || !extensions->contains(kMeshoptExtension)) continue;
     const Compressed source = readExtension((*extensions)[kMeshoptExtension], view, i, buffers, file);
     total += std::uint64_t{source.count} * source.stride;
-    if (total > limits.maxFileBytes)
-      throw Error(ErrorCode::kLimit, fmt::format("compressed data unfolds to more than {} bytes", limits.maxFileBytes),
-                  file);
+    if (total > most)
+      throw Error(ErrorCode::kLimit, fmt::format("compressed data unfolds to more than {} bytes", most), file);
     Bytes decoded = decode(source, i, file);
     extensions->erase(kMeshoptExtension);
     view["buffer"] = buffers.size();

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/file.h"
 
 namespace jalousie::asset::detail {
 namespace {
@@ -72,6 +73,10 @@ std::optional<std::vector<unsigned char>> base64Decoded(std::string_view text) {
   return bytes;
 }
 
+/// Copies of the same bytes, as many as any honest document makes.
+constexpr std::uint64_t kFreeBytes = 64ULL << 20U;
+constexpr std::uint64_t kMaxCopies = 16;
+
 /// Part of a URI fit for an error message: one line, not the megabytes of a data URI.
 std::string shortened(const std::string& uri) {
   std::string text = uri.substr(0, 80);
@@ -92,23 +97,28 @@ std::vector<unsigned char> ResourceLoader::load(const std::string& uri) {
       throw Error(ErrorCode::kMalformed, fmt::format("data URI without base64: {}", shortened(uri)), document_);
     auto bytes = base64Decoded(std::string_view(uri).substr(comma + 1));
     if (!bytes) throw Error(ErrorCode::kMalformed, fmt::format("bad base64: {}", shortened(uri)), document_);
-    account(bytes->size());
+    account(bytes->size(), true);
     return std::move(*bytes);
   }
-  return copy(readNamed(uri));
+  const std::vector<std::byte> bytes = readNamed(uri);
+  return copy(bytes, seen_.insert(uri).second);
 }
 
-std::vector<unsigned char> ResourceLoader::copy(std::span<const std::byte> bytes) {
-  account(bytes.size());
+std::vector<unsigned char> ResourceLoader::copy(std::span<const std::byte> bytes, bool isNew) {
+  account(bytes.size(), isNew);
   std::vector<unsigned char> result(bytes.size());
   if (!bytes.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
   return result;
 }
 
-void ResourceLoader::account(std::uint64_t bytes) {
+void ResourceLoader::account(std::uint64_t bytes, bool isNew) {
   if (bytes > maxBytes_ - usedBytes_)
     throw Error(ErrorCode::kLimit, fmt::format("buffers and images exceed {} bytes", maxBytes_), document_);
   usedBytes_ += bytes;
+  if (isNew) givenBytes_ += bytes;
+  if (usedBytes_ > kFreeBytes + kMaxCopies * givenBytes_)
+    throw Error(ErrorCode::kLimit, fmt::format("buffers and images copy {} bytes over and over", givenBytes_),
+                document_);
 }
 
 std::vector<std::byte> ResourceLoader::readNamed(const std::string& uri) {
@@ -119,7 +129,7 @@ std::vector<std::byte> ResourceLoader::readNamed(const std::string& uri) {
     throw Error(ErrorCode::kUnsupported,
                 fmt::format("URI \"{}\" has a scheme; only relative files and data URIs are read", shortened(uri)),
                 document_);
-  if (!folder_) folder_.emplace(document_.has_parent_path() ? document_.parent_path() : fs::path("."));
+  if (!folder_) folder_.emplace(folderOf(document_));
   std::vector<std::byte> bytes;
   try {
     bytes = folder_->readFile(name, maxBytes_ - usedBytes_);

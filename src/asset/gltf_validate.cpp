@@ -149,12 +149,14 @@ void validateForest(const Model& model) {
   }
   if (reached != model.nodes.size()) malformed("the node hierarchy has a cycle");
 
-  for (const tinygltf::Scene& scene : model.scenes) {
-    std::vector<std::uint8_t> listed(model.nodes.size(), 0);
-    for (const int root : scene.nodes) {
+  std::vector<std::size_t> lastListed(model.nodes.size(), 0);  // 1 + the last scene that lists a node
+  for (std::size_t s = 0; s < model.scenes.size(); ++s) {
+    for (const int root : model.scenes[s].nodes) {
       requireIndex(root, model.nodes.size(), "scene node");
       if (isChild[static_cast<std::size_t>(root)] != 0) malformed(fmt::format("scene node {} is no root", root));
-      if (listed[static_cast<std::size_t>(root)]++ != 0) malformed(fmt::format("scene lists node {} twice", root));
+      std::size_t& last = lastListed[static_cast<std::size_t>(root)];
+      if (last == s + 1) malformed(fmt::format("scene lists node {} twice", root));
+      last = s + 1;
     }
   }
   requireOptional(model.defaultScene, model.scenes.size(), "document", 0, "scene");

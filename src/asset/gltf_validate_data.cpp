@@ -36,16 +36,25 @@ void checkDemand(const Model& model, const Limits& limits) {
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
     const tinygltf::Accessor& accessor = model.accessors[i];
     // Every count is at most maxAccessorElements by now, and there are fewer than 2^31 accessors.
-    bytes += accessor.count * elementBytes(accessor.type, accessor.componentType);
+    const std::uint64_t elementSize = elementBytes(accessor.type, accessor.componentType);
+    bytes += accessor.count * elementSize;
+    if (accessor.sparse.isSparse)
+      bytes += static_cast<std::uint64_t>(accessor.sparse.count) *
+               (elementSize + componentBytes(accessor.sparse.indices.componentType));
     if (accessor.bufferView >= 0) continue;
     if (!accessor.sparse.isSparse) empty += accessor.count;  // morph targets are sparse, many, and honest
     if (accessor.count > limits.maxEmptyElements || empty > limits.maxEmptyElements)
       throw Error(ErrorCode::kLimit, fmt::format("accessor {} asks for {} elements without data", i, accessor.count));
-    bytes -= accessor.count * elementBytes(accessor.type, accessor.componentType);
+    bytes -= accessor.count * elementSize;
   }
   std::uint64_t given = 0;
   for (const tinygltf::Buffer& buffer : model.buffers)
     given += buffer.data.size();
+  std::uint64_t viewed = 0;
+  for (const tinygltf::BufferView& view : model.bufferViews)
+    viewed += view.byteLength;
+  if (viewed > kFreeAccessorBytes + kMaxOverlap * given)
+    throw Error(ErrorCode::kLimit, fmt::format("buffer views span {} bytes of buffers of {}", viewed, given));
   if (bytes > kFreeAccessorBytes + kMaxOverlap * given)
     throw Error(ErrorCode::kLimit, fmt::format("accessors read {} bytes out of buffers of {}", bytes, given));
 }

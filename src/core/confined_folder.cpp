@@ -62,7 +62,8 @@ std::vector<std::byte> ConfinedFolder::readFile(const std::string& name, std::ui
   if (!staysInside(name)) throw Error(ErrorCode::kUnsupported, "leaves the folder it was named in", path);
   int fd = -1;
   if (lookup_ == Lookup::kKernel) fd = openByKernel(name);
-  if (lookup_ == Lookup::kByComponent || (fd < 0 && errno == ENOSYS)) fd = openByComponent(name);
+  // Some containers answer EPERM to system calls they do not know.
+  if (lookup_ == Lookup::kByComponent || (fd < 0 && (errno == ENOSYS || errno == EPERM))) fd = openByComponent(name);
   const Descriptor file(fd);
   if (!file.valid()) {
     const bool linkRefused = errno == ELOOP && lookup_ == Lookup::kByComponent;

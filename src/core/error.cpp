@@ -1,20 +1,18 @@
 // Messages of jalousie::Error are kept to one line so that scripts can read them.
 #include "core/error.h"
 
-#include <algorithm>
-
 namespace jalousie {
-namespace {
-
 std::string oneLine(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
     text.pop_back();
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool isC1 = c >= 0x80 && c < 0xA0 && i > 0 && static_cast<unsigned char>(text[i - 1]) == 0xC2;
+    if (c < 0x20 || c == 0x7F) text[i] = ' ';
+    if (isC1) text.replace(i - 1, 2, "  ");
+  }
   return text;
 }
-
-}  // namespace
 
 std::string_view errorName(ErrorCode code) {
   switch (code) {

@@ -26,6 +26,9 @@ enum class ErrorCode : int {
 /// Stable name of a code, e.g. "malformed"; used in messages and JSON.
 std::string_view errorName(ErrorCode code);
 
+/// Text from a file as one line that a terminal may be shown: control characters become spaces.
+std::string oneLine(std::string text);
+
 /// An expected failure: code, what happened, and the file it happened in (may be empty).
 /// `what()` is one line: "FILE: message".
 class Error : public std::runtime_error {

@@ -18,7 +18,22 @@
 namespace jalousie {
 namespace {
 
-constexpr std::string_view kPartPrefix = ".jalousie-";
+/// How the names of unfinished files begin: locks may not reach other machines that share the folder.
+std::string partPrefix() {
+  char host[256] = {};
+  ::gethostname(host, sizeof host - 1);
+  return fmt::format(".jalousie-{}-", host);
+}
+
+/// Whether a name is one of partPrefix, digits, "-", digits.
+bool isPartName(const std::string& name) {
+  const std::string prefix = partPrefix();
+  if (!name.starts_with(prefix)) return false;
+  const std::string rest = name.substr(prefix.size());
+  const std::size_t dash = rest.find('-');
+  return dash != std::string::npos && dash > 0 && dash + 1 < rest.size() &&
+         rest.find_first_not_of("0123456789-") == std::string::npos && rest.find('-', dash + 1) == std::string::npos;
+}
 
 bool writeAll(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -29,10 +44,6 @@ bool writeAll(int fd, std::span<const std::byte> bytes) {
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
   return true;
-}
-
-std::filesystem::path folderOf(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
 bool isSameFile(int fd, const char* path) {
@@ -80,7 +91,7 @@ class StagedFile {
   [[noreturn]] void fail() const { throw Error(ErrorCode::kWriteFailed, std::strerror(errno), target_); }
 
   std::string partName(int attempt) const {
-    return (folder_ / fmt::format("{}{}-{}", kPartPrefix, ::getpid(), attempt)).string();
+    return (folder_ / fmt::format("{}{}-{}", partPrefix(), ::getpid(), attempt)).string();
   }
 
   void openNamed() {
@@ -88,9 +99,14 @@ class StagedFile {
       const std::string name = partName(attempt);
       file_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
       if (!file_.valid() && errno != EEXIST) return;
-      if (file_.valid()) name_ = name;
+      if (!file_.valid()) continue;
+      ::flock(file_.get(), LOCK_EX | LOCK_NB);
+      if (!isSameFile(file_.get(), name.c_str())) {  // cleaned away before it was locked
+        file_.close();
+        continue;
+      }
+      name_ = name;
     }
-    if (file_.valid()) ::flock(file_.get(), LOCK_EX | LOCK_NB);
   }
 
   bool linkTo(const std::string& path) const {
@@ -118,7 +134,17 @@ class StagedFile {
   std::string name_;  ///< of its own; empty while it has none
 };
 
+/// Writes to what is there and no file: /dev/stdout, a pipe.
+void writeToDevice(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  if (!file.valid() || !writeAll(file.get(), bytes)) throw Error(ErrorCode::kWriteFailed, std::strerror(errno), path);
+}
+
 }  // namespace
+
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
 
 namespace detail {
 
@@ -158,7 +184,13 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
 }
 
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  StagedFile file(path.empty() ? std::filesystem::path(".") : path);
+  std::filesystem::path target = path.empty() ? std::filesystem::path(".") : path;
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(target, failed);
+  if (std::filesystem::exists(status) && std::filesystem::is_other(status)) return writeToDevice(target, bytes);
+  if (std::filesystem::is_symlink(target, failed) && std::filesystem::exists(status))
+    target = std::filesystem::canonical(target);
+  StagedFile file(target);
   file.write(bytes);
   file.commit();
 }
@@ -170,7 +202,7 @@ void writeFileAtomic(const std::filesystem::path& path, std::string_view text) {
 void removeAbandonedFiles(const std::filesystem::path& folder) noexcept {
   try {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (!entry.path().filename().string().starts_with(kPartPrefix)) continue;
+      if (!isPartName(entry.path().filename().string()) || !entry.is_regular_file()) continue;
       const Descriptor file(::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
       if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0 && isSameFile(file.get(), entry.path().c_str()))
         ::unlink(entry.path().c_str());

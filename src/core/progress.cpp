@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/error.h"
+#include "core/standard_streams.h"
+
 namespace jalousie {
 
 Progress::Progress(std::string label, std::uint64_t total, bool quiet)
@@ -25,13 +28,13 @@ void Progress::update(std::uint64_t done, const std::string& detail) {
   if (!visible_ || now < nextDraw_) return;
   nextDraw_ = now + std::chrono::milliseconds(100);
   const std::string percent = total_ > 0 ? fmt::format("  {:3d} %", 100 * done / total_) : std::string();
-  fmt::print(stderr, "\r\033[K{}{}  {}", label_, percent, detail);
+  std::fputs(fmt::format("\r\033[K{}{}  {}", label_, percent, oneLine(detail)).c_str(), stderr);
   std::fflush(stderr);
 }
 
 void Progress::print(const std::string& line) {
-  fmt::print(stderr, "{}{}\n", visible_ ? "\r\033[K" : "", line);
-  std::fflush(stderr);
+  if (visible_) std::fputs("\r\033[K", stderr);
+  printError(line);
   nextDraw_ = {};
 }
 

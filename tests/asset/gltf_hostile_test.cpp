@@ -215,6 +215,32 @@ TEST(GltfHostile, ManyPrimitivesOnOneAccessorHitTheLimit) {
   EXPECT_EQ(load(glb(document.dump(), kTriangle), limits), ErrorCode::kLimit);
 }
 
+TEST(GltfHostile, ViewsAndSparseBlocksCannotReadTheSameBytesForEver) {
+  const std::string chunk(1U << 20U, '\0');
+  json document = validDocument();
+  document["buffers"][0]["byteLength"] = chunk.size();
+  const json view = {{"buffer", 0}, {"byteLength", chunk.size()}};
+  for (std::size_t i = 1; i < 60; ++i)
+    document["bufferViews"][i] = view;
+  EXPECT_EQ(load(glb(document.dump(), chunk)), std::nullopt) << "an honest amount";
+  json views = document;
+  for (std::size_t i = 60; i < 100; ++i)
+    views["bufferViews"][i] = view;
+  EXPECT_EQ(load(glb(views.dump(), chunk)), ErrorCode::kLimit);
+  for (std::size_t i = 1; i < 2000; ++i)
+    document["accessors"][i] = {{"componentType", 5126},
+                                {"count", 4000},
+                                {"type", "SCALAR"},
+                                {"sparse",
+                                 {{"count", 4000},
+                                  {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
+                                  {"values", {{"bufferView", 2}}}}}};
+  EXPECT_EQ(load(glb(document.dump(), chunk)), ErrorCode::kMalformed) << "indices that do not ascend";
+  for (std::size_t i = 2000; i < 4000; ++i)
+    document["accessors"][i] = document["accessors"][1];
+  EXPECT_EQ(load(glb(document.dump(), chunk)), ErrorCode::kLimit);
+}
+
 TEST(GltfHostile, NodesMustFormAForest) {
   EXPECT_EQ(loadPatched("/nodes/1/children", {0}), ErrorCode::kMalformed) << "cycle through the root";
   EXPECT_EQ(loadPatched("/nodes/1/children", {1}), ErrorCode::kMalformed) << "own child";

@@ -221,6 +221,61 @@ TEST_F(BakeBatch, BakingBesideTheInputsDoesNotFeedOnItself) {
   EXPECT_EQ(report({"in", "-o", "in/baked/"})["files"].size(), 4U);
 }
 
+TEST_F(BakeBatch, MaterialsThatCannotBeReadAreNoHits) {
+  fs::remove(folder_ / "in/quad.mtl");
+  fs::create_directory(folder_ / "in/quad.mtl");
+  const std::vector<std::string> run = {"in/quad.obj", "-o", "q.glb", "--cache", "cache", "-q"};
+  ASSERT_EQ(bake(run).exitCode, 0);
+  const auto without = bytes("q.glb");
+  fs::remove(folder_ / "in/quad.mtl");
+  write("in/quad.mtl", "newmtl red\nKd 1 0 0\n");
+  ASSERT_EQ(bake(run).exitCode, 0);
+  EXPECT_NE(bytes("q.glb"), without);
+}
+
+TEST_F(BakeBatch, MaterialBombsAreLimits) {
+  std::string materials;
+  for (int i = 0; i < 20'000; ++i)
+    materials += "newmtl a\n";
+  write("in/quad.mtl", materials);
+  EXPECT_EQ(bake({"in/quad.obj", "-o", "q.glb", "-q"}).exitCode, 7);
+}
+
+TEST_F(BakeBatch, NobodyNeedsToListen) {
+  const auto shell = [&](const std::string& redirect, const std::string& options) {
+    return test::runProgram(
+               "/bin/sh",
+               {"-c", "exec \"$0\" in/ball.ply in/missing.ply -o out/ --preset draft " + options + redirect,
+                JALOUSIE_BAKE_PROGRAM},
+               {.folder = folder_.path()})
+        .exitCode;
+  };
+  EXPECT_EQ(shell(" 2>&-", ""), 11);
+  EXPECT_EQ(shell(" 2>/dev/full", ""), 11);
+  EXPECT_EQ(shell(" 0<&- 1>&- 2>&-", "-q"), 11);
+  EXPECT_EQ(shell(" >/dev/full", "--json -"), 8) << "a report that is lost is no success";
+  EXPECT_TRUE(fs::exists(folder_ / "out/ball.glb"));
+}
+
+TEST_F(BakeBatch, IgnoredSignalsStayIgnored) {
+  write("in/large.ply", test::spherePly(100, 60));
+  const ProgramResult result = test::runProgram(
+      "/bin/sh", {"-c", "trap '' HUP; exec \"$0\" in/large.ply -o out/ -q --preset fast", JALOUSIE_BAKE_PROGRAM},
+      {.folder = folder_.path(), .signalAfter = std::chrono::milliseconds(60), .signal = 1});
+  EXPECT_EQ(result.exitCode, 0) << "nohup";
+}
+
+TEST_F(BakeBatch, NamesMayBeAnyBytes) {
+  write("in/caf\xE9.ply", test::spherePly(8, 5));
+  write("in/quad.mtl", "newmtl gr\xF6n\nKd 1 0 0\n");
+  write("in/quad.obj", "mtllib quad.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl gr\xF6n\nf 1 2 3\n");
+  write("in/two\nlines.ply", test::spherePly(8, 5));
+  const ProgramResult result = bake({"in", "-o", "out/", "--cache", "cache", "--depfile", "d", "--json", "r.json"});
+  EXPECT_EQ(result.exitCode, 0) << result.standardError;
+  EXPECT_TRUE(fs::exists(folder_ / "out/caf\xE9.glb"));
+  EXPECT_EQ(linesOf(result.standardError), 7U) << "a line for each file and a warning: " << result.standardError;
+}
+
 TEST_F(BakeBatch, SlowFilesAreGivenUp) {
   write("in/large.ply", test::spherePly(900, 450));
   const ProgramResult result = test::runProgram(

@@ -29,7 +29,7 @@ class Inputs : public testing::Test {
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
   Paths find(const Paths& arguments, const std::string& except = {}) const {
     Paths result;
-    for (const InputFile& input : findInputs(arguments, except))
+    for (const InputFile& input : findInputs(arguments, {except}))
       result.push_back(input.relative.string());
     return result;
   }
@@ -55,11 +55,13 @@ TEST_F(Inputs, PatternsMatchComponents) {
 TEST_F(Inputs, FilesStayInTheirOrderAndComeOnce) {
   EXPECT_EQ(find({at("models/b.obj"), at("models/notes.txt"), at("models/./b.obj"), at("models/*.obj")}),
             (Paths{"b.obj", "notes.txt"}));
+  EXPECT_EQ(find({at("models/a.ply"), at("models/link.ply")}), (Paths{"a.ply", "link.ply"})) << "asked for by name";
   EXPECT_EQ(find({at("missing.ply")}), (Paths{"missing.ply"})) << "one missing file must not stop the others";
 }
 
 TEST_F(Inputs, ListedFilesKeepTheirFolders) {
-  const auto place = [](const char* path) { return findInputs({path}, {}, true)[0].relative.string(); };
+  const auto place = [](const char* path) { return listedInputs({path})[0].relative.string(); };
+  EXPECT_EQ(listedInputs({at("models/m[1].ply"), at("models/*.ply")}).size(), 2U) << "lists hold no patterns";
   EXPECT_EQ(place("models/./a.ply"), "models/a.ply");
   EXPECT_EQ(place("../a.ply"), "a.ply");
   EXPECT_EQ(place("/somewhere/a.ply"), "a.ply");

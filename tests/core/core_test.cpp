@@ -83,17 +83,48 @@ TEST(File, OnlyRegularFilesWithinTheLimitAreRead) {
 
 TEST(File, AbandonedPartsGoAndLivingOnesStay) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / ".jalousie-1-0") << "left by a program that was killed";
-  std::ofstream(folder / ".jalousie-2-0") << "being written";
-  std::ofstream(folder / "jalousie-3-0") << "somebody's file";
-  const int living = ::open((folder / ".jalousie-2-0").c_str(), O_RDONLY);
+  char host[256] = {};
+  ::gethostname(host, sizeof host - 1);
+  const std::string prefix = std::string(".jalousie-") + host + "-";
+  const std::vector<std::string> others = {".jalousie-notes.txt", ".jalousie-1-0",     "jalousie-3-0",
+                                           prefix + "x-1",        prefix + "1-2.json", ".jalousie-another-host-1-0"};
+  for (const std::string& name : others)
+    std::ofstream(folder / name) << "somebody's file";
+  std::ofstream(folder / (prefix + "1-0")) << "left by a program that was killed";
+  std::ofstream(folder / (prefix + "2-0")) << "being written";
+  const int living = ::open((folder / (prefix + "2-0")).c_str(), O_RDONLY);
   ASSERT_EQ(::flock(living, LOCK_EX), 0);
   removeAbandonedFiles(folder.path());
-  EXPECT_FALSE(std::filesystem::exists(folder / ".jalousie-1-0"));
-  EXPECT_TRUE(std::filesystem::exists(folder / ".jalousie-2-0"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "jalousie-3-0"));
+  EXPECT_FALSE(std::filesystem::exists(folder / (prefix + "1-0")));
+  EXPECT_TRUE(std::filesystem::exists(folder / (prefix + "2-0")));
+  for (const std::string& name : others)
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   ::close(living);
   removeAbandonedFiles(folder / "missing");
+}
+
+TEST(File, LinksAreFollowedAndPipesStayPipes) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "real");
+  writeFileAtomic(folder / "real/a", "old");
+  std::filesystem::create_symlink("real/a", folder / "link");
+  writeFileAtomic(folder / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(textOf(readFile(folder / "real/a", 100)), "new");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const int reader = ::open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  writeFileAtomic(folder / "pipe", "text");
+  char buffer[8] = {};
+  EXPECT_EQ(::read(reader, buffer, sizeof buffer), 4);
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+}
+
+TEST(Error, ControlCharactersAreSpaces) {
+  EXPECT_EQ(oneLine("a\x1b]0;b\x07\nc\xC2\x9B"
+                    "d\n"),
+            "a ]0;b  c  d");
+  EXPECT_EQ(oneLine("gr\xC3\xBCn"), "gr\xC3\xBCn");
 }
 
 class ConfinedFolderTest : public testing::TestWithParam<ConfinedFolder::Lookup> {

@@ -80,30 +80,35 @@ TEST_F(Pipeline, NinjaBakesWhatHasChanged) {
 TEST_F(Pipeline, ParallelLogsEveryExitCode) {
   if (!fs::exists("/usr/bin/parallel")) GTEST_SKIP() << "GNU parallel is not installed";
   write("models/broken.ply", "ply\nformat ascii 1.0\n");
+  fs::create_directory(folder_ / "models/old");
+  write("models/old/rock.ply", test::spherePly(8, 5));
   const test::ProgramResult result = run("/bin/sh", {"parallel.sh", "models", "baked"});
   EXPECT_EQ(result.exitCode, 1) << "one job failed: " << result.standardError;
   EXPECT_TRUE(baked("chair.glb") && baked("tree.glb") && baked("rock.glb"));
+  EXPECT_TRUE(baked("old/rock.glb")) << "files of one name stay apart";
   EXPECT_FALSE(baked("broken.glb"));
-  EXPECT_EQ(result.standardOutput, "exit code 5: models/broken.ply\n");
+  EXPECT_EQ(result.standardOutput, "exit code 5: ./broken.ply\n");
 }
 
 TEST_F(Pipeline, SlurmTasksShareTheWork) {
   write("files", "models/rock.ply\nmodels/tree.obj\nmodels/chair.gltf\nmodels/missing.glb\n");
-  const auto task = [&](const std::string& id) {
+  const auto task = [&](const std::string& id, const std::string& count = "2") {
     return run("/bin/sh", {"bake.slurm", "files", "baked"},
-               {"SLURM_ARRAY_TASK_ID=" + id, "SLURM_ARRAY_TASK_COUNT=2", "SLURM_CPUS_PER_TASK=1"});
+               {"SLURM_ARRAY_TASK_ID=" + id, "SLURM_ARRAY_TASK_COUNT=" + count, "SLURM_ARRAY_TASK_MIN=0",
+                "SLURM_CPUS_PER_TASK=1"});
   };
-  const test::ProgramResult whole = task("1");
+  EXPECT_EQ(task("9", "10").exitCode, 0) << "more tasks than files";
+  const test::ProgramResult whole = task("0");
   EXPECT_EQ(whole.exitCode, 0) << whole.standardError;
   EXPECT_TRUE(baked("models/rock.glb") && baked("models/chair.glb"));
   EXPECT_FALSE(baked("models/tree.glb"));
-  EXPECT_EQ(task("0").exitCode, 11) << "a file is missing";
+  EXPECT_EQ(task("1").exitCode, 11) << "a file is missing";
   EXPECT_TRUE(baked("models/tree.glb"));
-  const nlohmann::json report = nlohmann::json::parse(std::ifstream(folder_ / "baked/report-0.json"));
+  const nlohmann::json report = nlohmann::json::parse(std::ifstream(folder_ / "baked/report-1.json"));
   EXPECT_EQ(report["files"][1]["error"]["code"], 3);
   fs::remove(folder_ / "baked/models/tree.glb");
-  task("0");
-  EXPECT_EQ(nlohmann::json::parse(std::ifstream(folder_ / "baked/report-0.json"))["summary"]["cached"], 1);
+  task("1");
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(folder_ / "baked/report-1.json"))["summary"]["cached"], 1);
 }
 
 }  // namespace
