@@ -116,20 +116,23 @@ void writeDepfile(const CommandLine& command, const std::vector<BakeJob>& jobs, 
   writeFileAtomic(command.depfile, text);
 }
 
-void tell(const CommandLine& command, const std::vector<BakeJob>& jobs, const BatchOutcome& outcome) {
-  const bool batch = isBatch(command);
-  const bool done =
-      outcome.jobs[0].result.status != JobStatus::kFailed && outcome.jobs[0].result.status != JobStatus::kNotStarted;
-  if (!batch && !done) return;
-  const std::string json = batch ? batchJson(jobs, outcome) : outcome.jobs[0].result.report;
-  if (command.json == "-") {
-    printOutput(json);
-    return;
-  }
-  if (!command.json.empty()) writeFileAtomic(command.json, json);
-  if (!command.quiet) printOutput(batch ? summaryText(outcome) : outcome.jobs[0].result.table);
-  if (!command.quiet && !batch && outcome.jobs[0].result.status != JobStatus::kBaked)
-    printOutput(fmt::format("{}: {}\n", oneLine(command.output.string()), statusName(outcome.jobs[0].result.status)));
+void putReport(const CommandLine& command, const std::string& json) {
+  if (command.json == "-") printOutput(json);
+  if (command.json != "-" && !command.json.empty()) writeFileAtomic(command.json, json);
+}
+
+void tellOfBatch(const CommandLine& command, const std::vector<BakeJob>& jobs, const BatchOutcome& outcome) {
+  putReport(command, batchJson(jobs, outcome));
+  if (command.json != "-" && !command.quiet) printOutput(summaryText(outcome));
+}
+
+void tellOfOne(const CommandLine& command, const JobResult& result) {
+  if (result.status == JobStatus::kFailed || result.status == JobStatus::kNotStarted) return;
+  putReport(command, result.report);
+  if (command.json == "-" || command.quiet) return;
+  printOutput(result.table);
+  if (result.status != JobStatus::kBaked)
+    printOutput(fmt::format("{}: {}\n", oneLine(command.output.string()), statusName(result.status)));
 }
 
 JobSettings settingsOf(const CommandLine& command) {
@@ -164,7 +167,11 @@ int runBake(const CommandLine& command) {
   const BatchOutcome outcome = runBatch(jobs, settingsOf(command), options);
   if (!command.cache.empty() && countStatus(outcome)[JobStatus::kBaked] > 0)
     trimCache(command.cache, command.cacheLimit);
-  tell(command, jobs, outcome);
+  if (isBatch(command)) {
+    tellOfBatch(command, jobs, outcome);
+  } else {
+    tellOfOne(command, outcome.jobs.front().result);
+  }
   writeDepfile(command, jobs, outcome);
   if (outcome.interrupted) {
     const std::size_t open = countStatus(outcome)[JobStatus::kNotStarted];
