@@ -34,6 +34,16 @@ float spectralFineness(BlockSums s) {
   return clamp(1.0 - energy / (area * area) / variance, 0.0, 1.0);
 }
 
+/// Mean length of the open runs along rows and columns, texels; kEndlessChord where nothing differs and something is
+/// open. @param covered  sum of the opacities   @param differences  of neighbouring texels
+const float kEndlessChord = 32768.0;
+float meanOpenChord(float covered, float differences, uint width, uint height) {
+  float open = 1.0 - covered / float(width * height);
+  uint pairs = (width - 1u) * height + width * (height - 1u);
+  if (differences <= 0.0 || pairs == 0u) return open > 0.0 ? kEndlessChord : 0.0;
+  return 2.0 * open * float(pairs) / differences;
+}
+
 /// Covered share, halved where the mean open chord is kChordPixels long.
 float chordHiddenness(BlockSums s, float texelPixels) {
   float area = float(s.width * s.height);

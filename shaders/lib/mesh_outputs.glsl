@@ -4,9 +4,20 @@ out Fragment {
 #include "lib/fragment_members.glsl"
 } fragment;
 
+/// Heat of what lies in front of an object: its covered share, or the size of its holes on a logarithmic scale.
+vec3 coverTint(uint view, uint cover) {
+  vec2 shareAndChord = unpackHalf2x16(cover);
+  if (view == kViewCoverage) return heatColor(shareAndChord.x);
+  return heatColor(clamp(log2(max(shareAndChord.y, 1.0)) / log2(kHoleScalePixels), 0.0, 1.0));
+}
+
 /// Colour that a debug view gives to one object.
 vec3 viewTint(uint objectId) {
   ObjectState state = states[objectId];
+  if (drawView.view == kViewLines) return vec3(0.0);
+  if (drawView.view == kViewGhost) return ghostColor(state.verdict);
+  if (drawView.view == kViewCoverage || drawView.view == kViewHoles)
+    return coverTint(drawView.view, boxes[objectId].cover);
   if (drawView.view == kViewLv) return heatColor(clamp(0.5 * state.lv + 0.5, 0.0, 1.0));
   if (drawView.view == kViewPhase) return phaseColor(state.verdict, marks[objectId]);
   uint lodCount = chains[objects[objectId].chain].lodCount;
@@ -35,7 +46,7 @@ void emitVertex(uint entry, vec3 position, vec3 normal, vec2 uv, vec4 color, uin
 #endif
 #ifdef JAL_SHADED
   fragment.normalWorld = transformNormal(transform, normal);
-  fragment.tint = drawView.view == kViewShaded || drawView.view == kViewOcclusion ? vec3(0.0) : viewTint(objectId);
+  fragment.tint = isShadedView(drawView.view) ? vec3(0.0) : viewTint(objectId);
 #endif
 #if defined(JAL_SHADED) || defined(JAL_SHEET)
   fragment.uv = uv;

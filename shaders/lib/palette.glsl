@@ -12,6 +12,12 @@ vec3 phaseColor(uint verdict, uint mark) {
   return (mark & kMarkEarly) != 0u ? vec3(0.32, 0.36, 0.40) : vec3(0.95, 0.38, 0.02);
 }
 
+/// What was culled, by the reason: hidden magenta, too small yellow, out of the frustum grey-blue. Linear RGB.
+vec3 ghostColor(uint verdict) {
+  if (verdict == kVerdictOccluded) return vec3(0.90, 0.05, 0.45);
+  return verdict == kVerdictSmall ? vec3(0.90, 0.70, 0.05) : vec3(0.25, 0.40, 0.65);
+}
+
 /// Heat scale for t in [0, 1], dark blue over green to yellow: a cubic fit of a perceptually even ramp. Linear RGB.
 vec3 heatColor(float t) {
   vec3 low = vec3(0.06, 0.01, 0.14), mid = vec3(0.02, 0.27, 0.26), high = vec3(0.98, 0.80, 0.05);

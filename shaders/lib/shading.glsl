@@ -1,5 +1,10 @@
 // The look of a shaded frame: one key light, a sky and ground light, a soft highlight, a filmic shoulder.
 
+/// Whether a view shows the surfaces as they are: by itself, or under something else.
+bool isShadedView(uint view) {
+  return view == kViewShaded || view == kViewOcclusion || view == kViewOverdraw || view == kViewGhosts;
+}
+
 vec3 shade(vec3 albedo, vec3 normal, vec3 toEye, vec3 toLight) {
   float key = max(dot(normal, toLight), 0.0);
   float sky = 0.5 + 0.5 * normal.y;

@@ -26,7 +26,7 @@ void main() {
   if (gl_FrontFacing == mirrored) normal = -normal;
 #endif
   vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
-  vec3 color = drawView.view == kViewShaded ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)
+  vec3 color = isShadedView(drawView.view) ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)
                                             : shadeFlat(fragment.tint, normal, toEye);
   frameColor = vec4(color, 1.0);
   objectNumber = fragment.objectId + 1u;

@@ -10,6 +10,7 @@
 #include "lib/transform.glsl"
 #include "lib/palette.glsl"
 #include "lib/draw_buffers.glsl"
+#include "lib/shading.glsl"
 #include "lib/mesh_outputs.glsl"
 
 layout(location = kAttributePosition) in vec3 position;

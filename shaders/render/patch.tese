@@ -7,6 +7,7 @@
 #include "lib/palette.glsl"
 #include "lib/phong.glsl"
 #include "lib/draw_buffers.glsl"
+#include "lib/shading.glsl"
 #include "lib/mesh_outputs.glsl"
 
 layout(triangles, equal_spacing, ccw) in;

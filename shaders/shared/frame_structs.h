@@ -56,7 +56,7 @@ struct CullView {
   float relax;             // kLodLvError: tau grows to at most tau * (1 + relax)
   uint calm;               // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
   uint countsValid;        // 1: the pixels of the last frame were counted
-  uint reserved0;
+  uint measureCover;       // 1: analyse.comp fills ScreenBox.cover, for the views
   uint reserved1;
 };
 JAL_ASSERT_SIZE(CullView, 176)
@@ -87,7 +87,16 @@ const uint kViewShaded = 0u;
 const uint kViewLod = 1u;
 const uint kViewLv = 2u;
 const uint kViewOcclusion = 3u;
-const uint kViewPhase = 4u;  // which phase drew it
+const uint kViewPhase = 4u;      // which phase drew it
+const uint kViewCoverage = 5u;   // covered share of the block in front of it
+const uint kViewHoles = 6u;      // mean open chord of that block
+const uint kViewWireframe = 7u;  // colours of kViewLod under lines
+const uint kViewOverdraw = 8u;
+const uint kViewGhosts = 9u;     // shaded, and what was culled over it
+const uint kViewCount = 10u;
+// Parts of a view, never asked for by themselves.
+const uint kViewLines = 100u;
+const uint kViewGhost = 101u;
 
 /// Drawing camera; std140 uniform block.
 struct DrawView {
@@ -156,7 +165,7 @@ struct ScreenBox {
   float nearestDepth;      // upper bound of the window depth of any of its points; larger is nearer
   float pixelsPerUnit;     // upper bound of pixels per object-space unit of error
   float tau;               // error it may show, pixels: the view's, divided by the importance of its place
-  float reserved0;
+  uint cover;              // two halves: covered share of the block in front of it, its mean open chord in pixels
 };
 JAL_ASSERT_SIZE(ScreenBox, 32)
 

@@ -14,6 +14,10 @@ const uint kScanEntriesPerThread = 4u;
 const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
 /// Most blocks one prefix sum can have: their totals are summed by one workgroup. 2^20 entries.
 const uint kMaxScanBlocks = 1024u;
+/// Open chord in pixels at the end of the scale of the hole view; it is logarithmic.
+const float kHoleScalePixels = 256.0;
+/// Surfaces per pixel at the end of the scale of the overdraw view.
+const float kOverdrawScale = 16.0;
 /// Side of the square workgroup of the kernels that handle one texel per thread.
 const uint kTexelGroupSide = 8u;
 /// Pixels of the item buffer that one thread counts.
@@ -111,9 +115,13 @@ const uint kBindingInstances = 4u;
 const uint kBindingCommands = 5u;
 const uint kBindingBlockSums = 6u;
 const uint kBindingEntries = 7u;
+// What was culled, as ghosts.
+const uint kBindingGhostStates = 5u;
+const uint kBindingGhostMarks = 7u;
 // Counting.
 const uint kBindingCounters = 0u;
 // Drawing programs.
+const uint kBindingDrawBoxes = 3u;
 const uint kBindingDrawInstances = 5u;
 const uint kBindingMaterials = 7u;
 

@@ -3,7 +3,7 @@
 // What hides is (default) the opacity of the occlusion map, JAL_HOM_DEPTH: the same where the occluders lie in front of
 // the object, JAL_HIZ: a depth pyramid, where a texel covers if its farthest depth lies in front of the object.
 // One thread: one object (one workgroup per object measured several times slower). Reads boxes and the map.
-// Writes states, marks. Barrier owed: SHADER_STORAGE for bin_objects.comp.
+// Writes states, marks, and the boxes' cover where a view shows it. Barrier owed: SHADER_STORAGE for bin_objects.comp.
 // CPU twin: src/visibility/overlap_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -94,6 +94,25 @@ BlockSums sumBlock(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
   return sums;
 }
 
+/// Covered share of the block and its mean open chord in pixels, packed: what the views of cover show.
+uint measureCover(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
+  uvec2 spanX = blockSpan(pixels.x, pixels.z, rect.x, rect.z, level);
+  uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
+  float covered = 0.0, differences = 0.0;
+  float above[kMaxBlockSide];
+  for (uint j = 0u; j < spanY.y; ++j) {
+    float left = 0.0;
+    for (uint i = 0u; i < spanX.y; ++i) {
+      float value = opacity(uvec2(spanX.x + i, spanY.x + j), level, nearestDepth);
+      covered += value;
+      differences += (i > 0u ? abs(value - left) : 0.0) + (j > 0u ? abs(value - above[i]) : 0.0);
+      left = above[i] = value;
+    }
+  }
+  return packHalf2x16(vec2(covered / float(spanX.y * spanY.y),
+                           meanOpenChord(covered, differences, spanX.y, spanY.y) * float(1u << level)));
+}
+
 /// Lowest opacity over the rectangle at LOM and up to kMaxDescent levels below, and whether nothing at all covers it.
 vec2 overlap(uvec4 pixels, uint lom, float nearestDepth) {
   uint lowest = lom > kMaxDescent ? lom - kMaxDescent : 0u;
@@ -142,6 +161,9 @@ void main() {
     if (!open) lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
   }
   if (!counted) state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : lv) : lv;
+
+  if (cullView.measureCover != 0u)
+    boxes[id].cover = measureCover(pixels, rect, lom > kBlockLevels ? lom - kBlockLevels : 0u, box.nearestDepth);
 
   bool early = (mark & kMarkEarly) != 0u;
   state.verdict = hidden ? (early ? kVerdictStale : kVerdictOccluded) : open ? kVerdictOpen : kVerdictPartial;

@@ -11,6 +11,7 @@
 #include "app/option_values.h"
 #include "app/record_command.h"
 #include "app/render_command.h"
+#include "app/view/view_command.h"
 #include "core/error.h"
 
 namespace {
@@ -22,6 +23,7 @@ struct Options {
   CompareOptions compare;
   DiffOptions diff;
   RecordOptions record;
+  ViewOptions view;
 };
 
 /// What was typed, without what says nothing about the result.
@@ -43,6 +45,9 @@ int run(const std::string& command, Options& options) {
     runDiff(options.diff);
   } else if (command == "record") {
     runRecord(options.record);
+  } else if (command == "view") {
+    options.view.finish();
+    runView(options.view);
   } else {
     options.render.finish();
     runRender(options.render);
@@ -60,6 +65,7 @@ int main(int argc, char** argv) {
   Options options;
   options.compare.command = toRepeat(argc, argv);
   addRenderOptions(*program.add_subcommand("render", "Render one frame, headless"), options.render);
+  addViewOptions(*program.add_subcommand("view", "Look at scenes in a window: what is hidden, and why"), options.view);
   addCompareOptions(*program.add_subcommand("compare", "Measure configurations along a camera path and write a report"),
                     options.compare);
   addDiffOptions(*program.add_subcommand("diff", "How far one picture is from another: PSNR, SSIM, FLIP"),

@@ -43,16 +43,6 @@ glm::vec3 hermite(const std::vector<KeyPose>& keys, std::size_t k, float frame, 
          (3 * t2 - 2 * t3) * get(keys[k + 1]) + (t3 - t2) * length * slopeAt(keys, k + 1, get);
 }
 
-void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera) {
-  glm::quat rotation = glm::normalize(glm::quat_cast(glm::mat3(camera.worldFromCamera)));
-  if (!track.rotations.empty() && glm::dot(rotation, track.rotations.back()) < 0.0F) rotation = -rotation;
-  const float seconds = static_cast<float>(frame) / scene::kPathRate;
-  track.translationTimes.push_back(seconds);
-  track.rotationTimes.push_back(seconds);
-  track.translations.push_back(camera.positionWorld());
-  track.rotations.push_back(rotation);
-}
-
 asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWorld) {
   const glm::vec3 center = sceneWorld.center();
   const float radius = std::max(0.5F * sceneWorld.diagonal(), 1e-6F);
@@ -70,6 +60,16 @@ asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWor
 }
 
 }  // namespace
+
+void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera) {
+  glm::quat rotation = glm::normalize(glm::quat_cast(glm::mat3(camera.worldFromCamera)));
+  if (!track.rotations.empty() && glm::dot(rotation, track.rotations.back()) < 0.0F) rotation = -rotation;
+  const float seconds = static_cast<float>(frame) / scene::kPathRate;
+  track.translationTimes.push_back(seconds);
+  track.rotationTimes.push_back(seconds);
+  track.translations.push_back(camera.positionWorld());
+  track.rotations.push_back(rotation);
+}
 
 KeyPose parseKey(const std::string& text) {
   const std::size_t first = text.find(':');
@@ -99,6 +99,22 @@ asset::CameraTrack splineTrack(const std::vector<KeyPose>& keys, const Aabb& sce
     addPose(track, frame, scene::lookAt(eye, look, sceneWorld));
   }
   return track;
+}
+
+std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& sceneWorld,
+                       const std::filesystem::path& file) {
+  asset::Camera camera;
+  camera.fovY = fovY;
+  camera.zNear = scene::lookAt({0, 0, 1}, {0, 0, 0}, sceneWorld).zNear;
+  camera.track = track;
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.asset.generator = "jalousie " JALOUSIE_VERSION;
+  model.scenes.resize(1);
+  model.defaultScene = 0;
+  model.scenes[0].nodes.push_back(asset::appendCamera(model, "path", camera));
+  asset::saveGlb(model, file);
+  return scene::frameCount(camera);
 }
 
 void addRecordOptions(CLI::App& command, RecordOptions& o) {
@@ -148,20 +164,12 @@ void runRecord(const RecordOptions& options) {
     if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "the frames of --key must ascend");
   const scene::SceneData scene = scene::buildScene(asset::readSceneFile(options.scene));
 
-  asset::Camera camera;
-  camera.fovY = glm::radians(options.fovDegrees);
-  camera.zNear = scene::lookAt({0, 0, 1}, {0, 0, 0}, scene.boundsWorld).zNear;
-  camera.track = keys.empty() ? orbitTrack(options, scene.boundsWorld) : splineTrack(keys, scene.boundsWorld);
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  model.asset.generator = "jalousie " JALOUSIE_VERSION;
-  model.scenes.resize(1);
-  model.defaultScene = 0;
-  model.scenes[0].nodes.push_back(asset::appendCamera(model, "path", camera));
-  asset::saveGlb(model, options.output);
+  const std::uint32_t frames =
+      savePath(keys.empty() ? orbitTrack(options, scene.boundsWorld) : splineTrack(keys, scene.boundsWorld),
+               glm::radians(options.fovDegrees), scene.boundsWorld, options.output);
   if (!options.quiet)
-    fmt::print("{}: {} frames, {:.1f} s\n", options.output.string(), scene::frameCount(camera),
-               static_cast<double>(scene::frameCount(camera)) / static_cast<double>(scene::kPathRate));
+    fmt::print("{}: {} frames, {:.1f} s\n", options.output.string(), frames,
+               static_cast<double>(frames) / static_cast<double>(scene::kPathRate));
 }
 
 }  // namespace jalousie::app

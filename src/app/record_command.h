@@ -9,6 +9,7 @@
 
 #include "asset/scene_file.h"
 #include "core/aabb.h"
+#include "scene/camera.h"
 
 namespace CLI {
 class App;
@@ -38,6 +39,14 @@ struct RecordOptions {
 
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
 void addRecordOptions(CLI::App& command, RecordOptions& options);
+
+/// Adds the pose of a camera at a frame of a path; rotations keep their sign from pose to pose.
+void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera);
+
+/// Writes a GLB that holds nothing but an animated camera; @return its number of frames.
+/// @param fovY  radians   Errors: as saveGlb.
+std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& sceneWorld,
+                       const std::filesystem::path& file);
 
 /// "FRAME:X,Y,Z:X,Y,Z". Errors: kUsage.
 KeyPose parseKey(const std::string& text);

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "render/frame_renderer.h"
 
@@ -17,6 +19,7 @@ namespace jalousie::app {
 
 struct RenderOptions {
   std::filesystem::path scene;
+  std::filesystem::path path;    ///< file whose camera path counts; empty: the scene's own
   std::filesystem::path output;  ///< empty only with statsOnly
   std::filesystem::path json;    ///< empty: none; "-": standard output
   std::optional<float> frame;    ///< of the scene's camera path
@@ -30,28 +33,37 @@ struct RenderOptions {
   std::filesystem::path importance;  ///< mask image; empty: none
   std::string mode = "hiz";
   std::string lod = "lv-error";
-  std::string
-      lv;  ///< finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
-  bool relaxGiven = false;
+  /// finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
+  std::string lv;
   std::string detail = "discrete";
   std::string view = "shaded";
   std::uint32_t repeat = 1;
   std::uint32_t settle = 2;  ///< frames before the picture with hiz: 0 shows the frame of a cut
-  bool settleGiven = false;
   bool statsOnly = false;
   bool quiet = false;
   std::string draws = "instanced";
   bool coreOnly = false;
-  bool tauGiven = false;
+  std::set<std::string> given;  ///< names of the table's options that were said, whatever their value
   render::FrameOptions frameOptions;        ///< the enums of the texts above, filled by finish()
   render::RendererOptions rendererOptions;  ///< likewise
 
   /// Resolves texts to enums and refuses contradictions. Errors: kUsage.
   void finish();
+  /// The same for what has no output: the viewer.
+  void finishFrame();
 };
+
+/// Names of the views, in the order of gpu::kView...
+const std::vector<std::string>& viewNames();
 
 /// Declares the options that choose how a frame is culled and detailed, and none of camera and output.
 void addMethodOptions(CLI::App& command, RenderOptions& options);
+
+/// Declares the options that choose the cameras and the size of the picture.
+void addCameraOptions(CLI::App& command, RenderOptions& options);
+
+/// Declares the options that choose what is looked at.
+void addPictureOptions(CLI::App& command, RenderOptions& options);
 
 /// Declares all options on a subcommand; values land in options, which must outlive the parse.
 void addRenderOptions(CLI::App& command, RenderOptions& options);

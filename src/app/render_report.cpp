@@ -25,19 +25,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-std::string reportJson(const RenderOptions& options, const RenderReport& report) {
-  const render::FrameStatistics& s = report.statistics;
-  nlohmann::ordered_json json;
-  json["renderer"] = report.renderer;
-  json["width"] = options.width;
-  json["height"] = options.height;
-  json["mode"] = options.mode;
-  json["lod"] = options.lod;
-  json["lv"] = options.lv;
-  if (options.lod == "pixel-error" || options.lod == "lv-error") json["tau"] = options.frameOptions.tau;
-  if (options.lod == "lv-error") json["relax"] = options.frameOptions.relax;
-  json["detail"] = options.detail;
-  if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
+void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& s) {
   json["objects"] = s.objects;
   json["culled_frustum"] = s.culledFrustum;
   json["occluders"] = s.occluders;
@@ -53,6 +41,22 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["triangles"] = s.triangles;
   json["triangles_full"] = s.trianglesFull;
   json["lod_histogram"] = s.lodHistogram;
+}
+
+std::string reportJson(const RenderOptions& options, const RenderReport& report) {
+  const render::FrameStatistics& s = report.statistics;
+  nlohmann::ordered_json json;
+  json["renderer"] = report.renderer;
+  json["width"] = options.width;
+  json["height"] = options.height;
+  json["mode"] = options.mode;
+  json["lod"] = options.lod;
+  json["lv"] = options.lv;
+  if (options.lod == "pixel-error" || options.lod == "lv-error") json["tau"] = options.frameOptions.tau;
+  if (options.lod == "lv-error") json["relax"] = options.frameOptions.relax;
+  json["detail"] = options.detail;
+  if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
+  addCounts(json, s);
   json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
   for (const auto& [name, ms] : report.times.passes)

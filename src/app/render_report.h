@@ -1,6 +1,7 @@
 // The figures of a rendered frame, as JSON with fixed keys and as text for people.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ struct RenderReport {
   std::uint32_t maxTessellation = 0;  ///< finest level in use; below the option where the driver needs it
 };
 
+/// Adds the counts of a frame under their keys.
+void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& statistics);
 /// Keys as in docs/formats.md. @param options  finished
 std::string reportJson(const RenderOptions& options, const RenderReport& report);
 /// A short summary with the same figures.

@@ -6,13 +6,25 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/file.h"
 
 namespace jalousie::gl {
 namespace {
 
-std::string_view findShader(std::string_view name) {
+std::filesystem::path& shaderFolder() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
+constexpr std::uint64_t kMaxShaderBytes = 1U << 20U;
+
+std::string findShader(std::string_view name) {
+  if (!shaderFolder().empty() && std::filesystem::exists(shaderFolder() / name)) {
+    const std::vector<std::byte> bytes = readFile(shaderFolder() / name, kMaxShaderBytes);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
   for (const EmbeddedShader& shader : embeddedShaders())
-    if (shader.name == name) return shader.text;
+    if (shader.name == name) return std::string(shader.text);
   throw Error(ErrorCode::kShader, fmt::format("no shader named '{}'", name));
 }
 
@@ -27,7 +39,8 @@ std::string_view includedName(std::string_view line) {
 void expand(std::string_view name, std::span<const std::string_view> defines, ExpandedShader& result) {
   const std::size_t file = result.files.size();
   result.files.emplace_back(name);
-  std::string_view text = findShader(name);
+  const std::string whole = findShader(name);
+  std::string_view text = whole;
   for (int line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1);
     const std::string_view current = text.substr(0, end + 1);
@@ -52,6 +65,10 @@ void expand(std::string_view name, std::span<const std::string_view> defines, Ex
 }
 
 }  // namespace
+
+void setShaderFolder(const std::filesystem::path& folder) {
+  shaderFolder() = folder;
+}
 
 ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines) {
   ExpandedShader result;

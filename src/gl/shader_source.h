@@ -1,6 +1,7 @@
 // Shader texts: embedded at build time, includes expanded, defines inserted.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,10 @@ struct EmbeddedShader {
   std::string_view name;  ///< path below shaders/, e.g. "visibility/classify.comp"
   std::string_view text;
 };
+
+/// From now on files of this folder stand in for the embedded ones of the same name, where they exist; empty: the
+/// embedded ones again. For development.
+void setShaderFolder(const std::filesystem::path& folder);
 
 /// All shader files, in the order of shaders/CMakeLists.txt.
 std::span<const EmbeddedShader> embeddedShaders();

@@ -27,6 +27,8 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
+  /// Lent, for an interface that needs events and the clipboard.
+  GLFWwindow* handle() const { return window_; }
   const gl::Capabilities& capabilities() const { return capabilities_; }
   /// glfwWindowShouldClose.
   bool shouldClose() const;

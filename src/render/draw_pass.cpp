@@ -24,6 +24,8 @@ DrawPass::DrawPass(const gl::Capabilities& capabilities)
       id_(makePrograms(ProgramId::kIdSolid, capabilities)),
       mapView_(programSource(ProgramId::kMapView)),
       depthView_(programSource(ProgramId::kDepthView)),
+      overdrawView_(programSource(ProgramId::kOverdrawView)),
+      boxes_(programSource(ProgramId::kBoxes)),
       noInput_("no vertex input"),
       view_(sizeof(gpu::DrawView), GL_DYNAMIC_STORAGE_BIT, "draw view") {}
 
@@ -32,12 +34,13 @@ void DrawPass::setView(const gpu::DrawView& view) {
 }
 
 void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene,
-                    const visibility::DrawList& list, const visibility::VisibilityPass& visibility) const {
+                    const visibility::DrawList& list, const visibility::ObjectBuffers& decided) const {
   if (scene.objectCount() == 0) return;
   if (part == DrawPart::kBlended && !scene.usesBlending()) return;
   scene.bindForDrawing(list.instances());
-  visibility.states().bindStorage(gpu::kBindingStates);
-  visibility.marks().bindStorage(gpu::kBindingMarks);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.marks->bindStorage(gpu::kBindingMarks);
+  decided.boxes->bindStorage(gpu::kBindingDrawBoxes);
   view_.bindUniform(gpu::kBindingDrawView);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
   glPatchParameteri(GL_PATCH_VERTICES, 3);
@@ -74,6 +77,23 @@ void DrawPass::submit(GLenum primitive, const visibility::DrawList& list, unsign
   glMultiDrawElementsIndirectCountARB(primitive, GL_UNSIGNED_INT, commands,
                                       static_cast<GLintptr>(sizeof(gpu::uint) * index), count, 0);
   glBindBuffer(GL_PARAMETER_BUFFER_ARB, 0);
+}
+
+void DrawPass::drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const {
+  if (objectCount == 0) return;
+  view_.bindUniform(gpu::kBindingDrawView);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.boxes->bindStorage(gpu::kBindingDrawBoxes);
+  noInput_.bind();
+  boxes_.use();
+  glDrawArraysInstanced(GL_LINE_LOOP, 0, 4, static_cast<GLsizei>(objectCount));
+}
+
+void DrawPass::drawOverdraw(const gl::Texture& halvings) const {
+  halvings.bind(gpu::kUnitOcclusionMap);
+  noInput_.bind();
+  overdrawView_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void DrawPass::drawMap(const visibility::OcclusionMapPass& map) const {

@@ -30,7 +30,11 @@ class DrawPass {
   void setView(const gpu::DrawView& view);
   /// Draws one part of a list's objects into the bound framebuffer.
   void draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene, const visibility::DrawList& list,
-            const visibility::VisibilityPass& visibility) const;
+            const visibility::ObjectBuffers& decided) const;
+  /// Outlines the rectangle of every object. @param decided  of the frame
+  void drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const;
+  /// Shows how many surfaces lie on a pixel. @param halvings  2^-surfaces
+  void drawOverdraw(const gl::Texture& halvings) const;
   /// Fills the bound framebuffer with one level of the occlusion map.
   void drawMap(const visibility::OcclusionMapPass& map) const;
   /// The same with one level of the depth pyramid. @param depth  its level 0
@@ -46,6 +50,8 @@ class DrawPass {
   Programs id_;
   gl::Program mapView_;
   gl::Program depthView_;
+  gl::Program overdrawView_;
+  gl::Program boxes_;
   gl::VertexArray noInput_;
   gl::Buffer view_;
 };

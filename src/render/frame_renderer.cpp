@@ -51,21 +51,35 @@ FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width,
       tessellationLimit_(tessellationLimit(capabilities_, scene.maxPatchTriangles)),
       fullTriangles_(countFullTriangles(scene)),
       buffers_(scene),
-      color_(GL_TEXTURE_2D, GL_SRGB8_ALPHA8, {width, height, 1, 1}, "frame colour"),
-      depth_(GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, {width, height, 1, 1}, "frame depth"),
-      id_(GL_TEXTURE_2D, GL_R32UI, {width, height, 1, 1}, "object numbers"),
-      target_(color_, &depth_, "frame"),
-      viewTarget_(color_, nullptr, "view"),
-      idTarget_(id_, &depth_, "object numbers"),
-      countedTarget_(color_, &depth_, "frame and item buffer", &id_),
-      map_(visibility::mapLayout(width, height), &depth_),
+      targets_(width, height),
+      map_(visibility::mapLayout(width, height), &targets_.depth),
       pyramid_(visibility::mapLayout(width, height), capabilities_),
       visibility_(buffers_.objectCount(), options.importance),
       lists_(scene),
       early_(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late_(scene, gpu::kMarkLate, listOptions(scene, options)),
-      draw_(capabilities_) {
-  id_.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);  // integers are not filtered
+      draw_(capabilities_),
+      views_(scene) {}
+
+FrameRenderer::Targets::Targets(std::uint32_t width, std::uint32_t height)
+    : color(GL_TEXTURE_2D, GL_SRGB8_ALPHA8, {width, height, 1, 1}, "frame colour"),
+      depth(GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, {width, height, 1, 1}, "frame depth"),
+      id(GL_TEXTURE_2D, GL_R32UI, {width, height, 1, 1}, "object numbers"),
+      frame(color, &depth, "frame"),
+      view(color, nullptr, "view"),
+      ids(id, &depth, "object numbers"),
+      counted(color, &depth, "frame and item buffer", &id) {
+  id.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);  // integers are not filtered
+}
+
+void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
+  targets_ = Targets(width, height);
+  map_ = visibility::OcclusionMapPass(visibility::mapLayout(width, height), &targets_.depth);
+  pyramid_ = visibility::DepthPyramidPass(visibility::mapLayout(width, height), capabilities_);
+  views_.resize();
+  width_ = width;
+  height_ = height;
+  resetHistory();
 }
 
 void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cullCamera,
@@ -116,6 +130,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.lvMeasure = options.lvMeasure;
   cullView_.relax = options.relax;
   cullView_.calm = options.calm ? 1 : 0;
+  cullView_.measureCover = options.view == gpu::kViewCoverage || options.view == gpu::kViewHoles ? 1 : 0;
   const bool wantsCounts = cullView_.analyse != 0 && options.lvMeasure == gpu::kLvPixels;
   counting_ = wantsCounts && countAge_ + 1 >= kCountInterval;
   countAge_ = counting_ ? 0 : wantsCounts ? countAge_ + 1 : kCountInterval;
@@ -136,7 +151,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
 
 void FrameRenderer::buildList(visibility::DrawList& list, const char* name) {
   const gl::PassTimer::Scope pass(timer_, name);
-  lists_.build(list, buffers_.bindings(), visibility_);
+  lists_.build(list, buffers_.bindings(), visibility_.decided());
 }
 
 void FrameRenderer::findOccluded(const FrameOptions& options) {
@@ -151,10 +166,10 @@ void FrameRenderer::findOccluded(const FrameOptions& options) {
   if (options.cullMode != gpu::kCullHom) {
     const gl::PassTimer::Scope pass(timer_, "depth pyramid");
     pyramid_.build(
-        depth_, options.cullMode == gpu::kCullHiz ? visibility::DepthSource::kAll : visibility::DepthSource::kCovered);
+        targets_.depth, options.cullMode == gpu::kCullHiz ? visibility::DepthSource::kAll : visibility::DepthSource::kCovered);
   }
   const gl::PassTimer::Scope pass(timer_, "analyse");
-  visibility_.analyse(buffers_.bindings(), options.cullMode, {&map_, &pyramid_, &depth_});
+  visibility_.analyse(buffers_.bindings(), options.cullMode, {&map_, &pyramid_, &targets_.depth});
 }
 
 void FrameRenderer::drawOccluders() {
@@ -167,14 +182,14 @@ void FrameRenderer::drawOccluders() {
   draw_.setView(view);
   map_.beginOccluders(withDepth);
   if (withDepth) glEnable(GL_DEPTH_TEST);
-  draw_.draw(DrawKind::kOpacity, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_);
+  draw_.draw(DrawKind::kOpacity, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_.decided());
   glDisable(GL_DEPTH_TEST);
 }
 
 void FrameRenderer::beginTarget(const gl::Framebuffer& target) {
   target.bind(width_, height_);
   glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, kBackground.data());
-  if (target.id() == countedTarget_.id()) glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, kNoObject.data());
+  if (target.id() == targets_.counted.id()) glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, kNoObject.data());
   glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &kFarDepth);
 }
 
@@ -189,9 +204,9 @@ void FrameRenderer::drawEarly() {
   const gl::PassTimer::Scope pass(timer_, "early draw");
   setCullingCamera();
   glEnable(GL_FRAMEBUFFER_SRGB);  // before the clear: it converts the background too
-  beginTarget(counting_ ? countedTarget_ : target_);
+  beginTarget(counting_ ? targets_.counted : targets_.frame);
   glEnable(GL_DEPTH_TEST);
-  draw_.draw(DrawKind::kShaded, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_);
+  draw_.draw(DrawKind::kShaded, DrawPart::kOpaque, cullView_.detail, buffers_, early_, visibility_.decided());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
@@ -199,7 +214,7 @@ void FrameRenderer::drawEarly() {
 void FrameRenderer::drawObjects(const gl::Framebuffer& target, bool earlyIsThere) {
   const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
   const auto draw = [&](DrawPart part, const visibility::DrawList& list) {
-    draw_.draw(DrawKind::kShaded, part, cullView_.detail, buffers_, list, visibility_);
+    draw_.draw(DrawKind::kShaded, part, cullView_.detail, buffers_, list, visibility_.decided());
   };
   target.bind(width_, height_);
   if (!earlyIsThere) beginTarget(target);
@@ -221,34 +236,54 @@ void FrameRenderer::drawFrame(const FrameOptions& options) {
     {
       const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
       setCullingCamera();
-      drawObjects(countedTarget_, twoPhases);
+      drawObjects(targets_.counted, twoPhases);
     }
     const gl::PassTimer::Scope pass(timer_, "count pixels");
-    visibility_.countPixels(id_);
+    visibility_.countPixels(targets_.id);
   }
   if (showsCover) {
     const gl::PassTimer::Scope pass(timer_, "view");
     draw_.setView(drawView_);
-    viewTarget_.bind(width_, height_);
-    twoPhases ? draw_.drawPyramid(pyramid_, depth_) : draw_.drawMap(map_);
+    targets_.view.bind(width_, height_);
+    twoPhases ? draw_.drawPyramid(pyramid_, targets_.depth) : draw_.drawMap(map_);
   } else if (!counting_ || frozen) {
     const gl::PassTimer::Scope pass(timer_, twoPhases ? "late draw" : "draw");
     draw_.setView(drawView_);
-    drawObjects(target_, twoPhases && !frozen);
+    drawObjects(targets_.frame, twoPhases && !frozen);
   }
+  drawView(options, frozen);
   glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+void FrameRenderer::drawView(const FrameOptions& options, bool frozen) {
+  const bool addsBoxes = options.boxes && !frozen;
+  if (options.view < gpu::kViewWireframe && !addsBoxes) return;
+  const gl::PassTimer::Scope pass(timer_, options.view < gpu::kViewWireframe ? "boxes" : "view");
+  const DrawnFrame frame{drawView_, cullView_.cullMode == gpu::kCullHiz, &targets_.frame, &targets_.view, &early_,
+                         &late_,    &visibility_};
+  views_.draw(frame, draw_, buffers_, lists_);
+  if (!addsBoxes) return;
+  draw_.setView(drawView_);
+  targets_.view.bind(width_, height_);
+  draw_.drawBoxes(buffers_.objectCount(), visibility_.decided());
+}
+
+void FrameRenderer::renderCover() noexcept {
+  counting_ = false;
+  if (cullView_.cullMode == gpu::kCullHiz) drawEarly();
+  if (usesMap(cullView_.cullMode)) drawOccluders();
 }
 
 void FrameRenderer::renderIds() noexcept {
   const bool twoPhases = cullView_.cullMode == gpu::kCullHiz;
   draw_.setView(drawView_);
-  idTarget_.bind(width_, height_);
-  glClearNamedFramebufferuiv(idTarget_.id(), GL_COLOR, 0, kNoObject.data());
-  glClearNamedFramebufferfv(idTarget_.id(), GL_DEPTH, 0, &kFarDepth);
+  targets_.ids.bind(width_, height_);
+  glClearNamedFramebufferuiv(targets_.ids.id(), GL_COLOR, 0, kNoObject.data());
+  glClearNamedFramebufferfv(targets_.ids.id(), GL_DEPTH, 0, &kFarDepth);
   glEnable(GL_DEPTH_TEST);
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {
-    if (twoPhases) draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, early_, visibility_);
-    draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, late_, visibility_);
+    if (twoPhases) draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, early_, visibility_.decided());
+    draw_.draw(DrawKind::kId, part, cullView_.detail, buffers_, late_, visibility_.decided());
   }
   glDisable(GL_DEPTH_TEST);
 }
@@ -278,6 +313,14 @@ std::optional<FrameStatistics> FrameRenderer::latestStatistics() {
 
 FrameStatistics FrameRenderer::readStatistics() {
   return statisticsOf(statistics_.finish()).value_or(FrameStatistics{});
+}
+
+ObjectReadout FrameRenderer::readObject(std::uint32_t index) const {
+  JAL_CHECK(index < buffers_.objectCount());
+  return {visibility_.states().read<gpu::ObjectState>(1, sizeof(gpu::ObjectState) * index)[0],
+          visibility_.boxes().read<gpu::ScreenBox>(1, sizeof(gpu::ScreenBox) * index)[0],
+          visibility_.marks().read<gpu::uint>(1, sizeof(gpu::uint) * index)[0],
+          visibility_.pixelCounts().read<gpu::uint>(1, sizeof(gpu::uint) * index)[0]};
 }
 
 std::vector<gpu::ObjectState> FrameRenderer::readStates() const {

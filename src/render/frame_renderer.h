@@ -9,6 +9,7 @@
 #include "core/image.h"
 #include "gl/framebuffer.h"
 #include "gl/pass_timer.h"
+#include "render/debug_views.h"
 #include "render/draw_pass.h"
 #include "render/frame_statistics.h"
 #include "render/scene_buffers.h"
@@ -43,6 +44,7 @@ struct FrameOptions {
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
   gpu::uint maxTessellation = gpu::kMaxTessellationLevel;
   gpu::uint mapLevel = 0;  ///< level shown by kViewOcclusion
+  bool boxes = false;      ///< outline every object's rectangle; nothing where the culling camera is frozen
   /// World units; objects nearer than this are occluders. Absent: automaticOccluderDistance().
   std::optional<float> occluderDistance;
   /// Error that levels drawn into the occlusion map may have, pixels. Absent: LOD 0 with kCullHom, as in the thesis,
@@ -66,7 +68,16 @@ struct RendererOptions {
 /// inside.
 float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorld);
 
-/// Renders frames of one scene at one size. The frame path allocates nothing and reads nothing back.
+/// What the last frame decided about one object.
+struct ObjectReadout {
+  gpu::ObjectState state{};
+  gpu::ScreenBox box{};
+  gpu::uint marks = 0;
+  gpu::uint pixels = 0;  ///< that showed it when pixels were counted last
+};
+
+/// Renders frames of one scene at one size. The frame path reads nothing back and allocates nothing, but on the first
+/// frame of a debug view that needs memory of its own.
 class FrameRenderer {
  public:
   /// Keeps a reference to scene, which must outlive the renderer.
@@ -76,9 +87,14 @@ class FrameRenderer {
 
   /// Culls and chooses detail from cullCamera, draws from drawCamera (usually the same).
   void render(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera) noexcept;
+  /// Draws again what the last frame's test looked at, from the culling camera: readDepth() and map() then hold what
+  /// hides. The picture is gone. Nothing happens in modes without such a test.
+  void renderCover() noexcept;
   /// Draws the last frame's objects again, as their numbers.
   void renderIds() noexcept;
 
+  /// Another size; history is forgotten. @pre both sides in [1, 16384] (checked)
+  void resize(std::uint32_t width, std::uint32_t height);
   /// Moves objects: rewrites [first, first + transforms.size()). @pre in range (checked)
   void setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms);
   /// gpu::Transform [objectCount], for applications that write it on the GPU.
@@ -94,10 +110,12 @@ class FrameRenderer {
 
   // After the frame; each waits for the GPU.
   FrameStatistics readStatistics();
-  ImageRgba8 readImage() const { return target_.readRgba8(width_, height_); }
-  std::vector<float> readDepth() const { return target_.readDepth(width_, height_); }
+  ImageRgba8 readImage() const { return targets_.frame.readRgba8(width_, height_); }
+  std::vector<float> readDepth() const { return targets_.frame.readDepth(width_, height_); }
   /// Object index + 1 per pixel, 0 for the background, row 0 at the bottom; of the last renderIds().
-  std::vector<std::uint32_t> readIds() const { return idTarget_.readRedInteger(width_, height_); }
+  std::vector<std::uint32_t> readIds() const { return targets_.ids.readRedInteger(width_, height_); }
+  /// @pre index < objectCount (checked)
+  ObjectReadout readObject(std::uint32_t index) const;
   std::vector<gpu::ObjectState> readStates() const;
   std::vector<gpu::ScreenBox> readBoxes() const;
   std::vector<gpu::uint> readMarks() const;
@@ -105,6 +123,8 @@ class FrameRenderer {
   std::vector<gpu::uint> readPixelCounts() const;
 
   gl::PassTimer& timer() { return timer_; }
+  /// The frame's picture, GL_SRGB8_ALPHA8, row 0 at the bottom.
+  const gl::Texture& color() const { return targets_.color; }
   const gpu::CullView& cullView() const { return cullView_; }
   const visibility::OcclusionMapPass& map() const { return map_; }
   const visibility::DepthPyramidPass& pyramid() const { return pyramid_; }
@@ -122,8 +142,21 @@ class FrameRenderer {
   void drawFrame(const FrameOptions& options);
   void setCullingCamera();
   void beginTarget(const gl::Framebuffer& target);
+  void drawView(const FrameOptions& options, bool frozen);
   void drawObjects(const gl::Framebuffer& target, bool earlyIsThere);
   std::optional<FrameStatistics> statisticsOf(const std::optional<visibility::FrameRecord>& record) const;
+
+  /// What depends on the size of the screen alone.
+  struct Targets {
+    Targets(std::uint32_t width, std::uint32_t height);
+    gl::Texture color;
+    gl::Texture depth;
+    gl::Texture id;
+    gl::Framebuffer frame;
+    gl::Framebuffer view;  ///< the colour alone: what the depth view draws into while it reads the depth
+    gl::Framebuffer ids;
+    gl::Framebuffer counted;  ///< the frame, and its object numbers beside it
+  };
 
   const scene::SceneData& scene_;
   std::uint32_t width_;
@@ -132,13 +165,7 @@ class FrameRenderer {
   gpu::uint tessellationLimit_;
   FullTriangles fullTriangles_;
   SceneBuffers buffers_;
-  gl::Texture color_;
-  gl::Texture depth_;
-  gl::Texture id_;
-  gl::Framebuffer target_;
-  gl::Framebuffer viewTarget_;  ///< the colour alone: what the depth view draws into while it reads the depth
-  gl::Framebuffer idTarget_;
-  gl::Framebuffer countedTarget_;  ///< the frame, and its object numbers beside it
+  Targets targets_;
   visibility::OcclusionMapPass map_;
   visibility::DepthPyramidPass pyramid_;
   visibility::VisibilityPass visibility_;
@@ -147,6 +174,7 @@ class FrameRenderer {
   visibility::DrawList late_;
   visibility::StatisticsPass statistics_;
   DrawPass draw_;
+  DebugViews views_;
   gl::PassTimer timer_;
   gpu::CullView cullView_{};
   gpu::DrawView drawView_{};

@@ -36,6 +36,8 @@ std::span<const gl::ProgramSource> programTable() {
       {"id sheet patch", patchStages(kCover), {"JAL_ID", "JAL_SHEET"}},
       {"map view", {"render/fullscreen.vert", "render/map_view.frag"}, {}},
       {"depth view", {"render/fullscreen.vert", "render/map_view.frag"}, {"JAL_DEPTH"}},
+      {"overdraw view", {"render/fullscreen.vert", "render/overdraw_view.frag"}, {}},
+      {"boxes", {"render/boxes.vert", "render/flat.frag"}, {}},
   };
   return kPrograms;
 }

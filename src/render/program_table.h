@@ -23,6 +23,8 @@ enum class ProgramId : unsigned {
   kIdSheetPatch,
   kMapView,
   kDepthView,
+  kOverdrawView,
+  kBoxes,
 };
 
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.

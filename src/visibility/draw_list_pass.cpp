@@ -73,23 +73,23 @@ DrawListPass::DrawListPass(const scene::SceneData& scene)
     throw Error(ErrorCode::kLimit, "the scene has more objects than one dispatch reaches (4.1 million)");
 }
 
-void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) const {
-  visibility.view().bindUniform(gpu::kBindingCullView);
+void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const {
+  decided.view->bindUniform(gpu::kBindingCullView);
   list.viewBuffer_.bindUniform(gpu::kBindingListView);
   tiles_.bindStorage(gpu::kBindingTiles);
   slots_.bindStorage(gpu::kBindingSlots);
   scene.chains->bindStorage(gpu::kBindingChains);
   scene.lods->bindStorage(gpu::kBindingLods);
-  visibility.states().bindStorage(gpu::kBindingStates);
-  visibility.boxes().bindStorage(gpu::kBindingBoxes);
-  visibility.marks().bindStorage(gpu::kBindingMarks);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.boxes->bindStorage(gpu::kBindingBoxes);
+  decided.marks->bindStorage(gpu::kBindingMarks);
   entries_.bindStorage(gpu::kBindingEntries);
 }
 
-void DrawListPass::build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) {
+void DrawListPass::build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) {
   if (tileCount_ == 0) return;
   const bool perObject = list.options_.submission == Submission::kPerObject;
-  bind(list, scene, visibility);
+  bind(list, scene, decided);
   const auto run = [](const gl::Program& program, std::uint32_t groups) {
     program.use();
     glDispatchCompute(groups, 1, 1);

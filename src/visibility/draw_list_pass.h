@@ -49,10 +49,13 @@ class DrawListPass {
   explicit DrawListPass(const scene::SceneData& scene);
 
   /// Leaves COMMAND, VERTEX_ATTRIB_ARRAY, STORAGE and BUFFER_UPDATE barriers.
-  void build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility);
+  void build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided);
+  void build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) {
+    build(list, scene, visibility.decided());
+  }
 
  private:
-  void bind(const DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) const;
+  void bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const;
 
   std::uint32_t tileCount_;
   std::uint32_t blockCount_;

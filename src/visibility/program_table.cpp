@@ -23,6 +23,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"write counts", {"visibility/write_commands.comp"}, {"JAL_PER_OBJECT"}},
       {"count states", {"visibility/count_states.comp"}, {}},
       {"count pixels", {"visibility/count_pixels.comp"}, {}},
+      {"mark ghosts", {"visibility/mark_ghosts.comp"}, {}},
   };
   return kPrograms;
 }

@@ -26,6 +26,7 @@ enum class ProgramId : unsigned {
   kWriteCounts,
   kCountStates,
   kCountPixels,
+  kMarkGhosts,
 };
 
 /// All programs, in the order of ProgramId.

@@ -24,6 +24,14 @@ struct SceneBindings {
   const gl::Buffer* lods = nullptr;        ///< gpu::Lod
 };
 
+/// What a frame decided per object, as lists and draws read it.
+struct ObjectBuffers {
+  const gl::Buffer* view = nullptr;    ///< gpu::CullView
+  const gl::Buffer* states = nullptr;  ///< gpu::ObjectState [objectCount]
+  const gl::Buffer* boxes = nullptr;   ///< gpu::ScreenBox [objectCount]
+  const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
+};
+
 /// What the overlap test looks at; which of them depends on the cull mode.
 struct CoverTextures {
   const OcclusionMapPass* map = nullptr;      ///< kCullHom, kCullHomDepth
@@ -52,6 +60,7 @@ class VisibilityPass {
   void resetHistory() { marks_.clear(); }
 
   std::uint32_t objectCount() const { return objectCount_; }
+  ObjectBuffers decided() const { return {&view_, &states_, &boxes_, &marks_}; }
   const gl::Buffer& view() const { return view_; }                ///< gpu::CullView
   const gl::Buffer& states() const { return states_; }            ///< gpu::ObjectState [objectCount]
   const gl::Buffer& boxes() const { return boxes_; }              ///< gpu::ScreenBox [objectCount]

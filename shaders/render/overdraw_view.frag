@@ -1,0 +1,13 @@
+// Shows how many surfaces lie on each pixel: black = none, then the heat scale up to kOverdrawScale.
+#version 450 core
+#include "shared/limits.h"
+#include "shared/frame_structs.h"
+#include "lib/palette.glsl"
+
+layout(binding = kUnitOcclusionMap) uniform sampler2D halvings;  // 2^-surfaces
+layout(location = 0) out vec4 frameColor;
+
+void main() {
+  float surfaces = -log2(max(texelFetch(halvings, ivec2(gl_FragCoord.xy), 0).r, 1e-37));
+  frameColor = vec4(surfaces > 0.5 ? heatColor(min(surfaces / kOverdrawScale, 1.0)) : vec3(0.0), 1.0);
+}

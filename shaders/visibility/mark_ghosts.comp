@@ -1,0 +1,26 @@
+// Marks what the frame did not draw, at its coarsest level, for a draw list of its own (the ghost view).
+//
+// One thread: one object. Reads objects, chains, states, marks. Writes ghostStates, ghostMarks.
+// Barrier owed: SHADER_STORAGE for bin_objects.comp.
+#version 450 core
+#include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "shared/frame_structs.h"
+
+layout(local_size_x = kObjectGroupSize) in;
+layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
+layout(std430, binding = kBindingObjects) readonly buffer ObjectBlock { Object objects[]; };
+layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chains[]; };
+layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
+layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
+layout(std430, binding = kBindingGhostStates) writeonly buffer GhostStateBlock { ObjectState ghostStates[]; };
+layout(std430, binding = kBindingGhostMarks) writeonly buffer GhostMarkBlock { uint ghostMarks[]; };
+
+void main() {
+  uint id = gl_GlobalInvocationID.x;
+  if (id >= cullView.objectCount) return;
+  uint mark = marks[id];
+  uint drawn = mark & (cullView.cullMode == kCullHiz ? kMarkEarly | kMarkLate : kMarkLate);
+  ghostMarks[id] = drawn != 0u ? 0u : kMarkLate | (mark & kMarkMirrored);
+  ghostStates[id] = ObjectState(states[id].verdict, chains[objects[id].chain].lodCount - 1u, 1u, 1.0);
+}

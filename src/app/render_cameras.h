@@ -1,0 +1,26 @@
+// From options to cameras: which pose culls and which one draws.
+#pragma once
+
+#include <vector>
+
+#include "app/render_options.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::app {
+
+struct RenderCameras {
+  scene::Camera cull;
+  scene::Camera draw;
+};
+
+/// Cameras of the path in use: those of options.path, else the scene's own; may be empty.
+/// Errors: as readSceneFile; kUsage if options.path holds no camera.
+std::vector<asset::Camera> pathCameras(const RenderOptions& options, const scene::SceneData& scene);
+
+/// --eye and --look, else --frame of the path's first camera, else its start, else the whole scene in view.
+/// @param path  as pathCameras()   Errors: kUsage for a frame beyond the path, and where there is no path.
+RenderCameras renderCameras(const RenderOptions& options, const scene::SceneData& scene,
+                            const std::vector<asset::Camera>& path);
+
+}  // namespace jalousie::app

@@ -1,0 +1,137 @@
+// Loading and its failures.
+#include "app/view/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "asset/image_io.h"
+#include "core/error.h"
+
+namespace jalousie::app {
+namespace {
+
+/// What a renderer is made for, as a text that differs when another one is needed.
+std::string keyOf(const RenderOptions& options) {
+  return fmt::format("{}|{}|{}|{}|{}", options.detail == "tessellation", options.draws, options.coreOnly,
+                     options.rendererOptions.capacity.value_or(0), options.importance.string());
+}
+
+}  // namespace
+
+Side::Side(const asset::SceneFile& file, const RenderOptions& options)
+    : scene_(scene::buildScene(file, {.patches = options.detail == "tessellation"})),
+      rendererOptions_(options.rendererOptions),
+      mask_(options.importance),
+      patches_(options.detail == "tessellation") {
+  if (!mask_.empty()) importance_.emplace(asset::loadImage(mask_));
+  rendererOptions_.importance = importance_ ? &*importance_ : nullptr;
+  renderer_.emplace(scene_, options.width, options.height, rendererOptions_);
+}
+
+bool Side::fits(const RenderOptions& options) const {
+  return patches_ == (options.detail == "tessellation") && mask_ == options.importance &&
+         rendererOptions_.submission == options.rendererOptions.submission &&
+         rendererOptions_.fastPaths == options.rendererOptions.fastPaths &&
+         rendererOptions_.capacity == options.rendererOptions.capacity;
+}
+
+void Side::resize(std::uint32_t width, std::uint32_t height) {
+  if (renderer_->width() != width || renderer_->height() != height) renderer_->resize(width, height);
+}
+
+CameraChoice CameraChoice::of(const RenderOptions& options) {
+  CameraChoice choice;
+  choice.path = options.path;
+  choice.frame = options.frame;
+  choice.freezeFrame = options.freezeFrame;
+  if (options.eye && options.look) choice.pose = Pose{*options.eye, *options.look};
+  if (options.freezeEye && options.freezeLook) choice.freezePose = Pose{*options.freezeEye, *options.freezeLook};
+  return choice;
+}
+
+void CameraChoice::applyTo(RenderOptions& options) const {
+  options.path = path;
+  options.frame = frame;
+  options.freezeFrame = freezeFrame;
+  options.eye = pose ? std::optional(pose->eye) : std::nullopt;
+  options.look = pose ? std::optional(pose->look) : std::nullopt;
+  options.freezeEye = freezePose ? std::optional(freezePose->eye) : std::nullopt;
+  options.freezeLook = freezePose ? std::optional(freezePose->look) : std::nullopt;
+}
+
+Document::Document(std::filesystem::path file, const CameraChoice& choice)
+    : camera(choice), file_(std::move(file)), watch_(file_) {
+  load();
+}
+
+void Document::load() {
+  error_.clear();
+  failedFor_.clear();
+  try {
+    asset::SceneFile read = asset::readSceneFile(file_);
+    const scene::SceneData flat = scene::buildScene(read);
+    boundsWorld_ = flat.boundsWorld;
+    scene_ = std::move(read);
+    for (std::unique_ptr<Side>& side : sides_)
+      side.reset();
+  } catch (const Error& error) {
+    error_ = error.what();
+  }
+  loadPath();
+}
+
+void Document::loadPath() {
+  if (!scene_) return;
+  try {
+    path_ = camera.path.empty() ? scene_->cameras : asset::readSceneFile(camera.path).cameras;
+    if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
+  } catch (const Error& error) {
+    error_ = error.what();
+    camera.path.clear();
+    path_ = scene_->cameras;
+  }
+  if (path_.empty() && (camera.frame || camera.freezeFrame))
+    error_ = "the scene has no camera path, so it has no frames; the whole scene is in view instead";
+  const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
+  for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
+    if (path_.empty()) frame->reset();
+    if (*frame) *frame = std::min(**frame, last);
+  }
+}
+
+Side* Document::prepare(int index, const RenderOptions& options) {
+  std::unique_ptr<Side>& side = sides_[static_cast<std::size_t>(index)];
+  if (!scene_) return nullptr;
+  if (side == nullptr || !side->fits(options)) {
+    const std::string key = keyOf(options);
+    if (failedFor_ == key) return side.get();
+    try {
+      side = std::make_unique<Side>(*scene_, options);
+      if (!failedFor_.empty()) error_.clear();
+      failedFor_.clear();
+    } catch (const Error& error) {
+      error_ = error.what();
+      failedFor_ = key;
+      return side.get();
+    }
+  }
+  side->resize(options.width, options.height);
+  return side.get();
+}
+
+std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
+  try {
+    std::array<std::unique_ptr<Side>, kSides> fresh;
+    for (std::size_t i = 0; i < kSides; ++i)
+      if (sides_[i] != nullptr && scene_) fresh[i] = std::make_unique<Side>(*scene_, options[i]);
+    for (std::size_t i = 0; i < kSides; ++i)
+      if (fresh[i] != nullptr) sides_[i] = std::move(fresh[i]);
+    return {};
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,100 @@
+// One open file: its scene on the GPU under one or two configurations, and what went wrong with it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/capture.h"
+#include "app/view/file_watch.h"
+#include "app/view/navigation.h"
+#include "asset/scene_file.h"
+#include "gl/capabilities.h"
+
+namespace jalousie::app {
+
+/// The scene under one configuration. Not movable: the renderer refers to the scene.
+class Side {
+ public:
+  /// Errors: as FrameRenderer and loadImage.
+  Side(const asset::SceneFile& file, const RenderOptions& options);
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+
+  /// Whether a renderer made for these options would be another one.
+  bool fits(const RenderOptions& options) const;
+  const scene::SceneData& scene() const { return scene_; }
+  render::FrameRenderer& renderer() { return *renderer_; }
+  /// Size in pixels; does nothing if it is that already.
+  void resize(std::uint32_t width, std::uint32_t height);
+
+ private:
+  scene::SceneData scene_;
+  std::optional<visibility::ImportanceMask> importance_;
+  render::RendererOptions rendererOptions_;
+  std::filesystem::path mask_;
+  bool patches_;
+  std::optional<render::FrameRenderer> renderer_;
+};
+
+/// Cameras as the options of `jalousie render` say them.
+struct CameraChoice {
+  std::filesystem::path path;
+  std::optional<float> frame;
+  std::optional<Pose> pose;
+  std::optional<float> freezeFrame;
+  std::optional<Pose> freezePose;
+
+  bool frozen() const { return freezeFrame || freezePose; }
+  static CameraChoice of(const RenderOptions& options);
+  void applyTo(RenderOptions& options) const;
+};
+
+/// A file in the window. Every failure becomes a message, and what worked before goes on.
+class Document {
+ public:
+  static constexpr int kSides = 2;
+
+  Document(std::filesystem::path file, const CameraChoice& camera);
+
+  const std::filesystem::path& file() const { return file_; }
+  /// Reads the file. On failure the scene that was there stays.
+  void load();
+  /// As FileWatch::changed of the file.
+  bool changedOnDisk() { return watch_.changed(); }
+  /// Reads the camera path of camera.path, or the scene's own.
+  void loadPath();
+
+  /// One configuration, made if it is not there. Null if that failed; the reason is in error().
+  /// @param options  finished, with the size of this picture
+  Side* prepare(int side, const RenderOptions& options);
+  /// What prepare() returned last; null where there is nothing.
+  Side* side(int side) { return sides_[static_cast<std::size_t>(side)].get(); }
+  void dropSide(int side) { sides_[static_cast<std::size_t>(side)].reset(); }
+  /// Builds all programs anew, for changed shaders. On failure the last good ones go on. @return the error, or empty
+  std::string rebuild(const RenderOptions (&options)[kSides]);
+
+  const std::string& error() const { return error_; }
+  const std::vector<asset::Camera>& path() const { return path_; }
+  /// Bounds of the scene, also before a renderer exists.
+  Aabb boundsWorld() const { return boundsWorld_; }
+  std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
+
+  CameraChoice camera;
+
+ private:
+  std::filesystem::path file_;
+  FileWatch watch_;
+  std::optional<asset::SceneFile> scene_;
+  Aabb boundsWorld_;
+  std::vector<asset::Camera> path_;
+  std::array<std::unique_ptr<Side>, kSides> sides_;
+  std::string error_;       ///< shown over the picture; empty: all is well
+  std::string failedFor_;   ///< what prepare() failed for: not tried again in every frame
+};
+
+}  // namespace jalousie::app

@@ -1,0 +1,98 @@
+// Context, style and backends.
+#include "app/view/interface.h"
+
+#include <epoxy/gl.h>
+// epoxy must come before GLFW, which otherwise brings the system's own OpenGL header.
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr float kFontPixels = 15.0F;
+constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                  "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+
+float displayScale(GLFWwindow* window) {
+  float x = 1.0F;
+  float y = 1.0F;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::clamp(std::max(x, y), 0.5F, 8.0F);
+}
+
+void loadFont(float scale) {
+  ImGuiIO& io = ImGui::GetIO();
+  for (const char* font : kFonts)
+    if (std::filesystem::exists(font) && io.Fonts->AddFontFromFileTTF(font, kFontPixels * scale) != nullptr) return;
+  ImFontConfig config;
+  config.SizePixels = 13.0F * scale;
+  io.Fonts->AddFontDefault(&config);
+}
+
+void style(float scale) {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& s = ImGui::GetStyle();
+  s.WindowRounding = 5.0F;
+  s.FrameRounding = 3.0F;
+  s.GrabRounding = 3.0F;
+  s.WindowBorderSize = 0.0F;
+  s.Colors[ImGuiCol_WindowBg] = ImVec4(0.085F, 0.095F, 0.11F, 0.94F);
+  s.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.16F, 0.29F, 0.44F, 1.0F);
+  s.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+Interface::Interface(GLFWwindow* window, float scale, const std::string& layout)
+    : scale_(scale > 0.0F ? scale : displayScale(window)) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  loadFont(scale_);
+  style(scale_);
+  if (!layout.empty()) ImGui::LoadIniSettingsFromMemory(layout.c_str(), layout.size());
+  if (!ImGui_ImplGlfw_InitForOpenGL(window, true) || !ImGui_ImplOpenGL3_Init("#version 450 core"))
+    throw Error(ErrorCode::kShader, "the interface cannot be drawn with this OpenGL");
+}
+
+Interface::~Interface() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Interface::begin() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Interface::end() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Interface::wantsPointer() const {
+  return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Interface::wantsKeys() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+std::string Interface::layout() const {
+  std::size_t size = 0;
+  const char* text = ImGui::SaveIniSettingsToMemory(&size);
+  return {text, size};
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,91 @@
+// Spherical coordinates around the eye or around the target.
+#include "app/view/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jalousie::app {
+namespace {
+
+constexpr float kMostPitch = 1.553F;  // 89 degrees: the poles have no side
+constexpr float kZoomPerStep = 0.85F;
+
+struct Angles {
+  float yaw, pitch;
+};
+
+Angles anglesOf(const glm::vec3& direction) {
+  const glm::vec3 d = glm::normalize(direction);
+  return {std::atan2(d.x, d.z), std::asin(std::clamp(d.y, -1.0F, 1.0F))};
+}
+
+glm::vec3 directionOf(const Angles& a) {
+  return {std::sin(a.yaw) * std::cos(a.pitch), std::sin(a.pitch), std::cos(a.yaw) * std::cos(a.pitch)};
+}
+
+glm::vec3 rotated(const glm::vec3& direction, float yaw, float pitch) {
+  Angles angles = anglesOf(direction);
+  angles.yaw += yaw;
+  angles.pitch = std::clamp(angles.pitch + pitch, -kMostPitch, kMostPitch);
+  return glm::length(direction) * directionOf(angles);
+}
+
+struct Frame {
+  glm::vec3 right, up, forward;
+};
+
+Frame frameOf(const Pose& pose) {
+  const glm::vec3 forward = glm::normalize(pose.look - pose.eye);
+  const glm::vec3 side = glm::cross(forward, glm::vec3(0.0F, 1.0F, 0.0F));
+  const glm::vec3 right = glm::length(side) > 1e-5F ? glm::normalize(side) : glm::vec3(1.0F, 0.0F, 0.0F);
+  return {right, glm::cross(right, forward), forward};
+}
+
+}  // namespace
+
+Pose poseOf(const scene::Camera& camera, float distance) {
+  const glm::vec3 eye = camera.positionWorld();
+  return {eye, eye - distance * glm::vec3(camera.worldFromCamera[2])};
+}
+
+float targetDistance(const scene::Camera& camera, const Aabb& sceneWorld) {
+  if (sceneWorld.empty()) return 1.0F;
+  const glm::vec3 forward = -glm::vec3(camera.worldFromCamera[2]);
+  const float ahead = glm::dot(sceneWorld.center() - camera.positionWorld(), forward);
+  return std::max({ahead, 0.01F * sceneWorld.diagonal(), 1e-4F});
+}
+
+Pose orbited(const Pose& pose, float yaw, float pitch) {
+  return {pose.look + rotated(pose.eye - pose.look, yaw, pitch), pose.look};
+}
+
+Pose turned(const Pose& pose, float yaw, float pitch) {
+  return {pose.eye, pose.eye + rotated(pose.look - pose.eye, yaw, pitch)};
+}
+
+Pose moved(const Pose& pose, const glm::vec3& step) {
+  const Frame frame = frameOf(pose);
+  const glm::vec3 offset = step.x * frame.right + step.y * glm::vec3(0.0F, 1.0F, 0.0F) + step.z * frame.forward;
+  return {pose.eye + offset, pose.look + offset};
+}
+
+Pose panned(const Pose& pose, float right, float up, float focalPixels) {
+  const Frame frame = frameOf(pose);
+  const float worldPerPixel = glm::length(pose.look - pose.eye) / focalPixels;
+  const glm::vec3 offset = -worldPerPixel * (right * frame.right + up * frame.up);
+  return {pose.eye + offset, pose.look + offset};
+}
+
+Pose zoomed(const Pose& pose, float steps) {
+  return {pose.look + std::pow(kZoomPerStep, steps) * (pose.eye - pose.look), pose.look};
+}
+
+Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect) {
+  if (boxWorld.empty()) return pose;
+  const float radius = std::max(0.5F * boxWorld.diagonal(), 1e-4F);
+  const float half = std::atan(std::tan(0.5F * fovY) * std::min(aspect, 1.0F));
+  const glm::vec3 direction = glm::normalize(pose.eye - pose.look);
+  return {boxWorld.center() + radius / std::sin(half) * direction, boxWorld.center()};
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,76 @@
+// One JSON file.
+#include "app/view/settings.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr std::uint64_t kMaxSettingsBytes = 4U << 20U;
+constexpr const char* kFileName = "view.json";
+
+nlohmann::json poseJson(const Pose& pose) {
+  return {pose.eye.x, pose.eye.y, pose.eye.z, pose.look.x, pose.look.y, pose.look.z};
+}
+
+Pose poseFrom(const nlohmann::json& json) {
+  const auto n = json.get<std::array<float, 6>>();
+  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+}
+
+void read(const nlohmann::json& root, ViewSettings& settings) {
+  settings.panel = root.value("panel", settings.panel);
+  settings.graph = root.value("graph", settings.graph);
+  settings.speed = root.value("speed", settings.speed);
+  settings.layout = root.value("layout", settings.layout);
+  const nlohmann::json all = root.value("bookmarks", nlohmann::json::object());
+  for (const auto& [file, marks] : all.items())
+    for (const auto& [number, pose] : marks.items())
+      if (const std::size_t i = std::stoul(number); i < kBookmarks) settings.bookmarks[file][i] = poseFrom(pose);
+}
+
+}  // namespace
+
+std::filesystem::path settingsFolder() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && *config == '/') return std::filesystem::path(config) / "jalousie";
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0') return {};
+  return std::filesystem::path(home) / ".config" / "jalousie";
+}
+
+ViewSettings loadSettings(const std::filesystem::path& folder) noexcept {
+  try {
+    ViewSettings settings;
+    const std::vector<std::byte> bytes = readFile(folder / kFileName, kMaxSettingsBytes);
+    read(nlohmann::json::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())), settings);
+    return settings;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+void saveSettings(const ViewSettings& settings, const std::filesystem::path& folder) {
+  if (folder.empty()) return;
+  nlohmann::ordered_json root;
+  root["panel"] = settings.panel;
+  root["graph"] = settings.graph;
+  root["speed"] = settings.speed;
+  root["layout"] = settings.layout;
+  root["bookmarks"] = nlohmann::ordered_json::object();
+  for (const auto& [file, marks] : settings.bookmarks)
+    for (std::size_t i = 0; i < kBookmarks; ++i)
+      if (marks[i]) root["bookmarks"][file][std::to_string(i)] = poseJson(*marks[i]);
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw Error(ErrorCode::kWriteFailed, "cannot make the folder: " + failed.message(), folder);
+  writeFileAtomic(folder / kFileName, root.dump(2) + "\n");
+}
+
+}  // namespace jalousie::app

@@ -1,0 +1,147 @@
+// Files in and out: opening, watching, paths, screenshots, figures.
+#include <epoxy/gl.h>
+// epoxy must come before GLFW, which otherwise brings the system's own OpenGL header.
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/record_command.h"
+#include "app/view/viewer.h"
+#include "asset/image_io.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr double kWatchSeconds = 0.25;
+constexpr std::size_t kMostDocuments = 8;
+
+}  // namespace
+
+void Viewer::say(const std::string& message) {
+  state_.message = message;
+  state_.messageSeconds = now();
+  wakeFrames_ = 3;
+}
+
+void Viewer::open(const std::filesystem::path& file) {
+  if (documents_.size() == kMostDocuments)
+    return say(fmt::format("{} is not opened: {} files side by side are the most", file.filename().string(),
+                           kMostDocuments));
+  const CameraChoice camera = CameraChoice::of(options_.render);
+  documents_.push_back(std::make_unique<Document>(file, camera));
+  starts_.push_back(camera);
+  state_.current = documents_.size() - 1;
+  touch();
+}
+
+void Viewer::watchFiles() {
+  if (now() - lastWatch_ < kWatchSeconds) return;
+  lastWatch_ = now();
+  if (options_.watch) {
+    for (const auto& document : documents_) {
+      if (!document->changedOnDisk()) continue;
+      document->load();
+      say(document->error().empty() ? fmt::format("{} was read again", document->file().filename().string())
+                                    : document->error());
+      touch();
+    }
+  }
+  if (options_.shaders.empty() || !shaderWatch_.changed()) return;
+  state_.shaderError.clear();
+  for (std::size_t i = 0; i < documents_.size() && state_.shaderError.empty(); ++i)
+    state_.shaderError = documents_[i]->rebuild({optionsFor(i, 0), optionsFor(i, 1)});
+  if (state_.shaderError.empty()) say("shaders were built again");
+  touch();
+}
+
+void Viewer::playPath(double seconds) {
+  if (state_.flicker) {
+    const int side = std::fmod(now(), 2.0 * static_cast<double>(state_.flickerSeconds)) <
+                             static_cast<double>(state_.flickerSeconds)
+                         ? 0
+                         : 1;
+    if (side != state_.flickerSide) wakeFrames_ = 1;
+    state_.flickerSide = side;
+  }
+  if (!state_.playing) return;
+  // A script counts frames, people watch the clock.
+  if (options_.frames)
+    pathSeconds_ = framesDone_ / static_cast<double>(scene::kPathRate);
+  else
+    pathSeconds_ += seconds;
+  for (const auto& document : documents_) {
+    const std::uint32_t frames = document->pathFrames();
+    if (frames == 0) continue;
+    const double frame = std::floor(pathSeconds_ * static_cast<double>(scene::kPathRate) + 1e-6);
+    document->camera.frame = static_cast<float>(std::fmod(frame, static_cast<double>(frames)));
+    document->camera.pose.reset();
+  }
+  inspectSoon_ = state_.selection.has_value();
+}
+
+void Viewer::recordPose() {
+  if (!state_.recording || current() == nullptr) return;
+  const auto frame = static_cast<std::uint32_t>((now() - recordStart_) * static_cast<double>(scene::kPathRate));
+  const bool isNew = recorded_.translationTimes.empty() ||
+                     static_cast<float>(frame) / scene::kPathRate > recorded_.translationTimes.back();
+  if (isNew) addPose(recorded_, recorded_.translationTimes.empty() ? 0 : frame, currentCamera());
+}
+
+void Viewer::stopRecording() {
+  state_.recording = false;
+  try {
+    const std::filesystem::path file = freshOutput("jalousie-path", ".glb");
+    const std::uint32_t frames = savePath(recorded_, currentCamera().fovY, current()->boundsWorld(), file);
+    for (const auto& document : documents_) {
+      document->camera.path = file;
+      document->loadPath();
+    }
+    say(fmt::format("{}: {} frames; Space plays it", file.string(), frames));
+  } catch (const Error& error) {
+    say(error.what());
+  }
+  touch();
+}
+
+void Viewer::screenshot(bool withInterface) {
+  screenshotSoon_ = false;
+  try {
+    const std::filesystem::path file = freshOutput("jalousie", ".png");
+    asset::savePng(withInterface ? captureWithInterface() : capture(), file);
+    say(file.string());
+  } catch (const Error& error) {
+    say(error.what());
+  }
+  if (!withInterface) touch();
+}
+
+std::filesystem::path Viewer::freshOutput(const char* stem, const char* extension) const {
+  for (int number = 1;; ++number) {
+    std::filesystem::path file = state_.outputs / fmt::format("{}-{:04}{}", stem, number, extension);
+    std::error_code failed;
+    if (!std::filesystem::exists(file, failed)) return file;
+  }
+}
+
+void Viewer::writeJson(const std::filesystem::path& file) const {
+  writeFileAtomic(file, state_.history.json(window_.capabilities().renderer,
+                                            !window_.capabilities().softwareRenderer));
+}
+
+void Viewer::finish() {
+  if (options_.frames)
+    for (const auto& document : documents_)
+      if (!document->error().empty()) throw Error(ErrorCode::kSomeFailed, document->error());
+  if (!options_.screenshot.empty())
+    asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot);
+  if (!options_.json.empty()) writeJson(options_.json);
+  if (!options_.screenshot.empty()) return;  // a script leaves no traces
+  state_.settings.layout = interface_.layout();
+  saveSettings(state_.settings, settingsFolder_);
+}
+
+}  // namespace jalousie::app

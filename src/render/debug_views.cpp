@@ -1,0 +1,84 @@
+// Overdraw is counted by halving a float per surface: exact up to 126, and no program of its own is needed.
+#include "render/debug_views.h"
+
+namespace jalousie::render {
+namespace {
+
+constexpr float kGhostOpacity = 0.25F;
+constexpr float kNoSurface = 1.0F;
+/// Towards the eye: depth is reversed.
+constexpr float kLineOffset = 1.0F;
+
+void drawEverything(DrawKind kind, const DrawnFrame& frame, const DrawPass& pass, SceneBuffers& buffers) {
+  const visibility::ObjectBuffers decided = frame.visibility->decided();
+  for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {
+    if (frame.twoPhases) pass.draw(kind, part, frame.view.detail, buffers, *frame.early, decided);
+    pass.draw(kind, part, frame.view.detail, buffers, *frame.late, decided);
+  }
+}
+
+void setPart(DrawPass& pass, const DrawnFrame& frame, gpu::uint view) {
+  gpu::DrawView part = frame.view;
+  part.view = view;
+  pass.setView(part);
+}
+
+}  // namespace
+
+DebugViews::Halvings::Halvings(std::uint32_t width, std::uint32_t height)
+    : texture(GL_TEXTURE_2D, GL_R32F, {width, height, 1, 1}, "overdraw"), framebuffer(texture, nullptr, "overdraw") {
+  texture.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+}
+
+void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
+                      visibility::DrawListPass& lists) {
+  if (frame.view.view == gpu::kViewWireframe) drawLines(frame, pass, buffers);
+  if (frame.view.view == gpu::kViewOverdraw) drawOverdraw(frame, pass, buffers);
+  if (frame.view.view == gpu::kViewGhosts) drawGhosts(frame, pass, buffers, lists);
+}
+
+void DebugViews::drawLines(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers) {
+  setPart(pass, frame, gpu::kViewLines);
+  frame.target->bind(frame.view.viewportWidth, frame.view.viewportHeight);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glEnable(GL_POLYGON_OFFSET_LINE);
+  glPolygonOffset(kLineOffset, kLineOffset);
+  drawEverything(DrawKind::kShaded, frame, pass, buffers);
+  glDisable(GL_POLYGON_OFFSET_LINE);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDepthFunc(GL_GREATER);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void DebugViews::drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers) {
+  if (!halvings_) halvings_.emplace(frame.view.viewportWidth, frame.view.viewportHeight);
+  pass.setView(frame.view);
+  halvings_->framebuffer.bind(frame.view.viewportWidth, frame.view.viewportHeight);
+  glClearNamedFramebufferfv(halvings_->framebuffer.id(), GL_COLOR, 0, &kNoSurface);
+  glEnable(GL_BLEND);
+  glBlendColor(0.5F, 0.5F, 0.5F, 0.5F);
+  glBlendFunc(GL_ZERO, GL_CONSTANT_COLOR);
+  drawEverything(DrawKind::kOpacity, frame, pass, buffers);
+  glDisable(GL_BLEND);
+  frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
+  pass.drawOverdraw(halvings_->texture);
+}
+
+void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
+                            visibility::DrawListPass& lists) {
+  if (!ghosts_) ghosts_.emplace(scene_);
+  ghosts_->build(lists, buffers.bindings(), *frame.visibility);
+  setPart(pass, frame, gpu::kViewGhost);
+  frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
+  glEnable(GL_BLEND);
+  glBlendColor(0.0F, 0.0F, 0.0F, kGhostOpacity);
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  const visibility::ObjectBuffers decided = ghosts_->decided(*frame.visibility);
+  for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
+    pass.draw(DrawKind::kShaded, part, frame.view.detail, buffers, ghosts_->list(), decided);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace jalousie::render

@@ -1,0 +1,35 @@
+// One dispatch before the list is built as any other.
+#include "visibility/ghost_pass.h"
+
+#include "shared/limits.h"
+#include "visibility/program_table.h"
+
+namespace jalousie::visibility {
+
+GhostPass::GhostPass(const scene::SceneData& scene)
+    : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
+      markProgram_(programSource(ProgramId::kMarkGhosts)),
+      states_(sizeof(gpu::ObjectState) * objectCount_, 0, "ghost states"),
+      marks_(sizeof(gpu::uint) * objectCount_, 0, "ghost marks"),
+      list_(scene, gpu::kMarkLate, {Submission::kInstanced, objectCount_, scene.maxPatchTriangles > 0}) {}
+
+void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const VisibilityPass& visibility) {
+  if (objectCount_ == 0) return;
+  markProgram_.use();
+  visibility.view().bindUniform(gpu::kBindingCullView);
+  scene.objects->bindStorage(gpu::kBindingObjects);
+  scene.chains->bindStorage(gpu::kBindingChains);
+  visibility.states().bindStorage(gpu::kBindingStates);
+  visibility.marks().bindStorage(gpu::kBindingMarks);
+  states_.bindStorage(gpu::kBindingGhostStates);
+  marks_.bindStorage(gpu::kBindingGhostMarks);
+  glDispatchCompute((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  lists.build(list_, scene, decided(visibility));
+}
+
+ObjectBuffers GhostPass::decided(const VisibilityPass& visibility) const {
+  return {&visibility.view(), &states_, &visibility.boxes(), &marks_};
+}
+
+}  // namespace jalousie::visibility
