@@ -1,0 +1,187 @@
+// Files that come, go, change and are broken; shaders that change; settings; and the program itself.
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "view_fixture.h"
+
+namespace jalousie {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ViewFiles : public test::ViewTest {
+ protected:
+  /// Steps until a condition holds, at most some seconds.
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    const double start = glfwGetTime();
+    while (!condition() && glfwGetTime() - start < 8.0)
+      viewer_->step();
+    return condition();
+  }
+  static void replaceText(const fs::path& file, const std::string& from, const std::string& to) {
+    std::ifstream in(file);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, from.size(), to);
+    std::ofstream(file) << text;
+  }
+};
+
+TEST_F(ViewFiles, MissingAndBrokenFilesAreMessagesAndTheProgramLivesOn) {
+  std::ofstream(folder_ / "broken.glb") << "words";
+  app::ViewOptions options;
+  options.files = {folder_ / "no.glb", folder_ / "broken.glb", scene()};
+  if (!open(options)) GTEST_SKIP() << "no display";
+  EXPECT_NE(viewer_->document(0).error().find("no.glb"), std::string::npos);
+  EXPECT_NE(viewer_->document(1).error().find("broken.glb"), std::string::npos);
+  EXPECT_EQ(viewer_->document(2).error(), "");
+  drag(1, 550, 200, 600, 210);
+  EXPECT_TRUE(viewer_->document(2).camera.pose.has_value());
+  EXPECT_EQ(state().current, 2U);
+  expectHeadlessEqual("beside broken ones");
+}
+
+TEST_F(ViewFiles, DroppedFilesOpenBesideEachOther) {
+  app::ViewOptions options;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  EXPECT_EQ(viewer_->documentCount(), 0U);
+  GLFWdropfun drop = glfwSetDropCallback(window_->handle(), nullptr);
+  glfwSetDropCallback(window_->handle(), drop);
+  const std::string file = scene().string();
+  const char* paths[] = {file.c_str()};
+  drop(window_->handle(), 1, paths);
+  settle();
+  ASSERT_EQ(viewer_->documentCount(), 1U);
+  expectHeadlessEqual("dropped");
+  const std::string folder = folder_.path().string();
+  const char* folders[] = {folder.c_str()};
+  drop(window_->handle(), 1, folders);
+  settle();
+  EXPECT_EQ(viewer_->documentCount(), 2U) << "a folder stands for its files";
+  EXPECT_EQ(viewer_->region(1).x, 320.0F);
+}
+
+TEST_F(ViewFiles, WatchedFilesAreReadAgain) {
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.watch = true;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  const auto objects = [&] { return viewer_->document(0).side(0)->scene().objects.size(); };
+  EXPECT_EQ(objects(), 26U);
+  test::writeSpheres(scene(), 3);
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).side(0) != nullptr && objects() == 10; }));
+  std::ofstream(scene()) << "half a file";
+  EXPECT_TRUE(waitFor([&] { return !viewer_->document(0).error().empty(); }));
+  EXPECT_EQ(objects(), 10U) << "the last good scene stays";
+  fs::remove(scene());
+  for (int i = 0; i < 20; ++i)
+    viewer_->step();
+  EXPECT_EQ(objects(), 10U);
+  test::writeSpheres(scene(), 4);
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).error().empty() && viewer_->document(0).side(0) != nullptr; }));
+  EXPECT_TRUE(waitFor([&] { return objects() == 17; }));
+  settle();
+  expectHeadlessEqual("read again");
+}
+
+TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
+  const fs::path shaders = folder_ / "shaders";
+  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.shaders = shaders;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  const std::vector<std::uint8_t> before = viewer_->capture().pixels;
+  settle();
+  replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - exp(", "return vec3(1.0) - nonsense(");
+  EXPECT_TRUE(waitFor([&] { return !state().shaderError.empty(); }));
+  EXPECT_NE(state().shaderError.find("shading.glsl"), std::string::npos) << state().shaderError;
+  EXPECT_EQ(viewer_->capture().pixels, before) << "the last good program goes on";
+  settle();
+  log_->clear();  // the compiler's own complaint about the shader that this test broke
+  replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - nonsense(", "return vec3(0.5) - 0.5 * exp(");
+  EXPECT_TRUE(waitFor([&] { return state().shaderError.empty(); }));
+  settle();
+  EXPECT_NE(viewer_->capture().pixels, before) << "the new program draws";
+}
+
+TEST_F(ViewFiles, ImportanceMaskAndItsFailure) {
+  asset::savePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, folder_ / "mask.png");
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.render.importance = folder_ / "mask.png";
+  options.render.given.insert("--importance");
+  if (!open(options)) GTEST_SKIP() << "no display";
+  EXPECT_EQ(viewer_->document(0).error(), "");
+  expectHeadlessEqual("with a mask");
+}
+
+TEST_F(ViewFiles, SettingsGoToTheConfigFolderAlone) {
+  if (!openScene()) GTEST_SKIP() << "no display";
+  drag(1, 300, 200, 330, 200);
+  const app::Pose marked = pose();
+  key("ctrl+3");
+  viewer_->finish();
+  EXPECT_TRUE(fs::exists(folder_ / "config/jalousie/view.json"));
+  std::size_t beside = 0;
+  for (const auto& entry : fs::directory_iterator(folder_.path()))
+    beside += entry.path().filename() != "config" && entry.path() != scene() ? 1 : 0;
+  EXPECT_EQ(beside, 0U) << "nothing is written beside the file";
+  viewer_.reset();
+  log_.reset();
+  window_.reset();
+  ASSERT_TRUE(openScene());
+  key("3");
+  EXPECT_EQ(pose().eye, marked.eye) << "the bookmark is there again";
+}
+
+TEST_F(ViewFiles, ProgramWritesScreenshotsAndFiguresForScripts) {
+  const auto jalousie = [](std::vector<std::string> arguments) {
+    return test::runProgram(JALOUSIE_PROGRAM, arguments);
+  };
+  const std::string shot = (folder_ / "shot.png").string();
+  const test::ProgramResult view =
+      jalousie({"view", scene().string(), "--eye", "1,2,9", "--look", "0,0,0", "--view", "lod", "--size", "300x200",
+                "--screenshot", shot, "--frames", "4", "--json", (folder_ / "stats.json").string(), "--debug"});
+  if (view.exitCode == 9) GTEST_SKIP() << view.standardError;
+  ASSERT_EQ(view.exitCode, 0) << view.standardError;
+  const std::string frame = (folder_ / "frame.png").string();
+  ASSERT_EQ(jalousie({"render", scene().string(), "--eye", "1,2,9", "--look", "0,0,0", "--view", "lod", "--size",
+                      "300x200", "-o", frame})
+                .exitCode,
+            0);
+  EXPECT_TRUE(asset::loadImage(shot).pixels == asset::loadImage(frame).pixels);
+  const nlohmann::json stats = nlohmann::json::parse(std::ifstream(folder_ / "stats.json"));
+  ASSERT_FALSE(stats["frames"].empty());
+  EXPECT_EQ(stats["frames"][0]["objects"], 26);
+  EXPECT_TRUE(stats["frames"][0]["passes"].contains("classify"));
+  EXPECT_FALSE(fs::exists(folder_ / "config")) << "a script leaves no settings";
+  const test::ProgramResult missing = jalousie({"view", (folder_ / "no.glb").string(), "--screenshot", shot});
+  EXPECT_NE(missing.exitCode, 0);
+  EXPECT_NE(missing.standardError.find("no.glb"), std::string::npos);
+}
+
+TEST_F(ViewFiles, InterfaceDrawsAtEveryScale) {
+  for (const char* scale : {"1", "2", "3.5"}) {
+    const std::string shot = (folder_ / "scaled.png").string();
+    const test::ProgramResult result = test::runProgram(
+        JALOUSIE_PROGRAM, {"view", scene().string(), "--size", "700x500", "--scale", scale, "--interface", "--screenshot",
+                           shot, "--frames", "10", "--select", "0", "--debug"});
+    if (result.exitCode == 9) GTEST_SKIP() << result.standardError;
+    ASSERT_EQ(result.exitCode, 0) << result.standardError;
+    EXPECT_EQ(asset::loadImage(shot).width, 700U);
+  }
+}
+
+TEST(ViewProgram, WithoutADisplayOneLineNamesTheHeadlessCommand) {
+  const test::ProgramResult result = test::runProgram(
+      "/usr/bin/env", {"-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", JALOUSIE_PROGRAM, "view", "scene.glb"});
+  EXPECT_EQ(result.exitCode, 9);
+  EXPECT_EQ(std::count(result.standardError.begin(), result.standardError.end(), '\n'), 1);
+  EXPECT_NE(result.standardError.find("jalousie render"), std::string::npos) << result.standardError;
+}
+
+}  // namespace
+}  // namespace jalousie

@@ -1,0 +1,182 @@
+// What of the viewer needs no window: navigation, the option table, settings, files.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <thread>
+
+#include "app/render_option_table.h"
+#include "app/view/actions.h"
+#include "app/view/command_text.h"
+#include "app/view/file_watch.h"
+#include "app/view/navigation.h"
+#include "app/view/settings.h"
+#include "app/view/view_options.h"
+#include "core/error.h"
+#include "support/run_program.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr float kClose = 1e-4F;
+
+void expectClose(const glm::vec3& a, const glm::vec3& b) {
+  EXPECT_LT(glm::length(a - b), kClose) << a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " "
+                                        << b.z;
+}
+
+TEST(Navigation, OrbitKeepsTheDistanceAndComesBack) {
+  const Pose start{{3, 2, 5}, {1, 0, -1}};
+  const float distance = glm::length(start.eye - start.look);
+  const Pose turned = orbited(start, 0.7F, 0.2F);
+  EXPECT_NEAR(glm::length(turned.eye - turned.look), distance, kClose);
+  EXPECT_EQ(turned.look, start.look);
+  expectClose(orbited(turned, -0.7F, -0.2F).eye, start.eye);
+}
+
+TEST(Navigation, NoTurnGoesOverThePoles) {
+  const Pose start{{0, 1, 5}, {0, 0, 0}};
+  const Pose top = orbited(start, 0.0F, 10.0F);
+  EXPECT_GT(top.eye.y, 5.0F);
+  EXPECT_GT(glm::length(glm::vec2(top.eye.x, top.eye.z)), 0.01F) << "there is still a side to look from";
+  expectClose(orbited(top, 6.2831853F, 0.0F).eye, top.eye);
+  EXPECT_LT(turned(start, 0.0F, -10.0F).look.y, 0.0F);
+}
+
+TEST(Navigation, MovingKeepsTheDirection) {
+  const Pose start{{3, 2, 5}, {1, 0, -1}};
+  for (const glm::vec3 step : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
+    expectClose(moved(start, step).look - moved(start, step).eye, start.look - start.eye);
+  EXPECT_NEAR(glm::length(moved(start, {0, 0, 2}).eye - start.eye), 2.0F, kClose);
+  EXPECT_LT(glm::length(zoomed(start, 1.0F).eye - start.look), glm::length(start.eye - start.look));
+  expectClose(zoomed(zoomed(start, 2.0F), -2.0F).eye, start.eye);
+}
+
+TEST(Navigation, FramedBoxIsInView) {
+  const Aabb box{glm::vec3(4, 5, 6), glm::vec3(7, 6, 9)};
+  const Pose pose = framed({{0, 0, 9}, {0, 0, 0}}, box, 0.8F, 0.5F);
+  const scene::Camera camera = scene::lookAt(pose.eye, pose.look, box);
+  const glm::mat4 clip = scene::clipFromWorld(camera, 0.5F);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec4 p = clip * glm::vec4((corner & 1) != 0 ? box.max.x : box.min.x,
+                                         (corner & 2) != 0 ? box.max.y : box.min.y,
+                                         (corner & 4) != 0 ? box.max.z : box.min.z, 1.0F);
+    EXPECT_LE(std::abs(p.x), p.w);
+    EXPECT_LE(std::abs(p.y), p.w);
+  }
+}
+
+TEST(Navigation, PoseOfACameraGivesTheCamera) {
+  const Aabb scene{glm::vec3(-2), glm::vec3(2)};
+  const scene::Camera camera = scene::lookAt({3, 2, 5}, {1, 0, -1}, scene);
+  const Pose pose = poseOf(camera, targetDistance(camera, scene));
+  const scene::Camera again = scene::lookAt(pose.eye, pose.look, scene);
+  for (glm::length_t column = 0; column < 4; ++column)
+    expectClose(glm::vec3(again.worldFromCamera[column]), glm::vec3(camera.worldFromCamera[column]));
+}
+
+RenderOptions parsed(const std::string& text) {
+  RenderOptions options;
+  CLI::App parser;
+  addMethodOptions(parser, options);
+  addPictureOptions(parser, options);
+  parser.parse(text);
+  return options;
+}
+
+TEST(RenderOptionTable, EveryRowHasWordsForPeople) {
+  for (const RenderOption& option : renderOptionTable()) {
+    EXPECT_TRUE(std::string(option.name).starts_with("--"));
+    EXPECT_GT(std::string(option.label).size(), 2U) << option.name;
+    EXPECT_GT(std::string(option.help).size(), 20U) << option.name;
+    const bool number = std::holds_alternative<NumberValue>(option.value) ||
+                        std::holds_alternative<MaybeNumberValue>(option.value) ||
+                        std::holds_alternative<CountValue>(option.value);
+    EXPECT_EQ(*option.unit != '\0', number || std::holds_alternative<MaybeCountValue>(option.value)) << option.name;
+    EXPECT_EQ(*option.needs != '\0', option.applies != nullptr) << option.name;
+  }
+}
+
+TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
+  for (const char* text : {"", "--tau 0.3333333 --relax 7", "--mode hom --lod linear --lv coverage --cull-threshold 0.95",
+                           "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
+                           "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
+                           "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
+    const RenderOptions options = parsed(text);
+    const std::string written = methodOptions(options);
+    EXPECT_EQ(methodOptions(parsed(written)), written) << text;
+    for (const RenderOption& option : renderOptionTable())
+      EXPECT_EQ(valueText(option, parsed(written)), valueText(option, options)) << text << ": " << option.name;
+  }
+}
+
+TEST(RenderOptionTable, WhatDoesNotApplyIsDropped) {
+  RenderOptions options = parsed("--mode hom --cull-threshold 0.9 --lod linear --view occlusion --map-level 2");
+  options.mode = "frustum";
+  options.lod = "finest";
+  options.view = "shaded";
+  options.lv = "thesis";
+  dropInapplicable(options);
+  EXPECT_EQ(methodOptions(options), "--mode frustum --lod finest");
+  EXPECT_NO_THROW(options.finishFrame());
+}
+
+TEST(RenderOptionTable, ContradictionsAreRefused) {
+  for (const char* text : {"--tau 1 --lod finest", "--map-level 1", "--view phase --mode full", "--view holes --mode full",
+                           "--settle 2 --mode frustum --lod pixel-error"}) {
+    RenderOptions options = parsed(text);
+    EXPECT_THROW(options.finishFrame(), Error) << text;
+  }
+}
+
+TEST(Settings, ComeBackAndSurviveNonsense) {
+  const test::TemporaryFolder folder;
+  ViewSettings settings;
+  settings.speed = 2.5F;
+  settings.layout = "[Window]\n\"quoted\"";
+  settings.bookmarks["/a b/c.glb"][4] = Pose{{0.1F, 0.2F, 0.3F}, {1, 2, 3}};
+  saveSettings(settings, folder / "deep/er");
+  const ViewSettings read = loadSettings(folder / "deep/er");
+  EXPECT_EQ(read.speed, 2.5F);
+  EXPECT_EQ(read.layout, settings.layout);
+  ASSERT_TRUE(read.bookmarks.at("/a b/c.glb")[4].has_value());
+  EXPECT_EQ(read.bookmarks.at("/a b/c.glb")[4]->eye, glm::vec3(0.1F, 0.2F, 0.3F));
+  std::ofstream(folder / "deep/er/view.json") << "{\"speed\": \"fast\", \"bookmarks\": 3";
+  EXPECT_EQ(loadSettings(folder / "deep/er").speed, 1.0F);
+  EXPECT_EQ(loadSettings(folder / "nowhere").speed, 1.0F);
+}
+
+TEST(FileWatch, ReportsAChangeOnceItIsOver) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "a.txt") << "one";
+  FileWatch file(folder / "a.txt");
+  FileWatch all(folder.path());
+  EXPECT_FALSE(file.changed());
+  std::ofstream(folder / "a.txt") << "longer";
+  EXPECT_FALSE(file.changed()) << "may still be written";
+  EXPECT_TRUE(file.changed());
+  EXPECT_FALSE(file.changed());
+  std::ofstream(folder / "b.txt") << "new";
+  EXPECT_FALSE(all.changed());
+  EXPECT_TRUE(all.changed());
+}
+
+TEST(ViewOptions, FoldersStandForTheirFiles) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"b.glb", "a.GLTF", "c.png"})
+    std::ofstream(folder / name) << "x";
+  const auto files = expandFolders({folder.path(), "other.glb"});
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].filename(), "a.GLTF");
+  EXPECT_EQ(files[1].filename(), "b.glb");
+  EXPECT_EQ(files[2], "other.glb");
+}
+
+TEST(Actions, NoTwoShareAKey) {
+  for (const Binding& a : bindings())
+    for (const Binding& b : bindings())
+      EXPECT_TRUE(&a == &b || a.key != b.key || a.mods != b.mods) << a.what << ", " << b.what;
+}
+
+}  // namespace
+}  // namespace jalousie::app
