@@ -18,6 +18,9 @@ vec3 ghostColor(uint verdict) {
   return verdict == kVerdictSmall ? vec3(0.90, 0.70, 0.05) : vec3(0.25, 0.40, 0.65);
 }
 
+/// What is out of the frustum is much, and says little.
+float ghostOpacity(uint verdict) { return verdict == kVerdictOutside ? 0.03 : 0.15; }
+
 /// Heat scale for t in [0, 1], dark blue over green to yellow: a cubic fit of a perceptually even ramp. Linear RGB.
 vec3 heatColor(float t) {
   vec3 low = vec3(0.06, 0.01, 0.14), mid = vec3(0.02, 0.27, 0.26), high = vec3(0.98, 0.80, 0.05);

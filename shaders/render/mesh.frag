@@ -6,6 +6,7 @@
 #include "shared/frame_structs.h"
 #include "lib/draw_buffers.glsl"
 #include "lib/surface.glsl"
+#include "lib/palette.glsl"
 #include "lib/shading.glsl"
 
 in Fragment {
@@ -28,6 +29,7 @@ void main() {
   vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
   vec3 color = isShadedView(drawView.view) ? shade(base.rgb, normal, toEye, drawView.lightWorld.xyz)
                                             : shadeFlat(fragment.tint, normal, toEye);
-  frameColor = vec4(color, 1.0);
+  float opacity = drawView.view == kViewGhost ? ghostOpacity(states[fragment.objectId].verdict) : 1.0;
+  frameColor = vec4(color, opacity);
   objectNumber = fragment.objectId + 1u;
 }

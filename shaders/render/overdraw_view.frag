@@ -1,4 +1,5 @@
-// Shows how many surfaces lie on each pixel: black = none, then the heat scale up to kOverdrawScale.
+// Shows how many surfaces lie on each pixel: black = none, then the heat scale from 1
+// to kOverdrawScale, logarithmic.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/frame_structs.h"
@@ -9,5 +10,6 @@ layout(location = 0) out vec4 frameColor;
 
 void main() {
   float surfaces = -log2(max(texelFetch(halvings, ivec2(gl_FragCoord.xy), 0).r, 1e-37));
-  frameColor = vec4(surfaces > 0.5 ? heatColor(min(surfaces / kOverdrawScale, 1.0)) : vec3(0.0), 1.0);
+  float share = log2(max(surfaces, 1.0)) / log2(kOverdrawScale);
+  frameColor = vec4(surfaces > 0.5 ? heatColor(min(share, 1.0)) : vec3(0.0), 1.0);
 }

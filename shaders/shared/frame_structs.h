@@ -156,6 +156,9 @@ struct ObjectState {
 };
 JAL_ASSERT_SIZE(ObjectState, 16)
 
+/// ScreenBox.cover of what nothing was found in front of: no share, an endless chord.
+const uint kCoverOpen = 0x78000000u;
+
 /// Where an object is on the screen and how large it is there.
 struct ScreenBox {
   float minX;              // rectangle clipped to the viewport, pixels, origin at the lower left

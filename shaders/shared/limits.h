@@ -16,8 +16,8 @@ const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
 const uint kMaxScanBlocks = 1024u;
 /// Open chord in pixels at the end of the scale of the hole view; it is logarithmic.
 const float kHoleScalePixels = 256.0;
-/// Surfaces per pixel at the end of the scale of the overdraw view.
-const float kOverdrawScale = 16.0;
+/// Surfaces per pixel at the end of the scale of the overdraw view; it is logarithmic too.
+const float kOverdrawScale = 64.0;
 /// Side of the square workgroup of the kernels that handle one texel per thread.
 const uint kTexelGroupSide = 8u;
 /// Pixels of the item buffer that one thread counts.

@@ -98,7 +98,7 @@ void main() {
       projectedScale(largestScale(transform), cullView.focalPixels,
                      distance(cullView.cameraWorld.xyz, box.centerWorld), box.radiusWorld, cullView.cameraWorld.w);
   float tau = cullView.tau / importance;
-  boxes[id] = ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0u);
+  boxes[id] = ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, kCoverOpen);
 
   uint verdict = classify(box, importance);
   uint lastMarks = marks[id];

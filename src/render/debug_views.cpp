@@ -4,7 +4,6 @@
 namespace jalousie::render {
 namespace {
 
-constexpr float kGhostOpacity = 0.25F;
 constexpr float kNoSurface = 1.0F;
 /// Towards the eye: depth is reversed.
 constexpr float kLineOffset = 1.0F;
@@ -73,8 +72,7 @@ void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffer
   setPart(pass, frame, gpu::kViewGhost);
   frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
   glEnable(GL_BLEND);
-  glBlendColor(0.0F, 0.0F, 0.0F, kGhostOpacity);
-  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   const visibility::ObjectBuffers decided = ghosts_->decided(*frame.visibility);
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
     pass.draw(DrawKind::kShaded, part, frame.view.detail, buffers, ghosts_->list(), decided);

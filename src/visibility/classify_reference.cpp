@@ -172,7 +172,7 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   const float tau = view.tau / weight;
 
   Classified result;
-  result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, 0};
+  result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, gpu::kCoverOpen};
   const gpu::uint verdict = classify(box, view, weight);
   const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
   const bool counted =

@@ -45,9 +45,15 @@ bool isGlHeader(const std::string& header) {
          header.starts_with("GLFW/");
 }
 
+/// The interface library belongs to the viewer.
+bool isInterfaceHeader(const std::string& header) {
+  return header.starts_with("imgui") || header.starts_with("backends/imgui");
+}
+
 /// Empty if the edge is fine, else what is wrong with it.
 std::string judge(const std::string& folder, const std::string& file, const std::string& header) {
   if (isGlHeader(header)) return mayUseGl(folder, file) ? "" : "OpenGL outside the OpenGL folders";
+  if (isInterfaceHeader(header)) return folder == "app" ? "" : "the interface outside app";
   const std::string target = header.substr(0, header.find('/'));
   if (target == folder || !allowed().contains(target)) return "";  // its own folder, or a system header
   if (!allowed().at(folder).contains(target)) return folder + " may not include " + target;
@@ -108,6 +114,7 @@ TEST(IncludeEdges, ForbiddenEdgesAreFound) {
   EXPECT_TRUE(judge("visibility", "visibility_pass.cpp", "gl/buffer.h").empty());
   EXPECT_TRUE(judge("app", "x.cpp", "render/frame_renderer.h").empty());
   EXPECT_TRUE(judge("core", "x.cpp", "vector").empty());
+  EXPECT_FALSE(judge("render", "x.cpp", "imgui.h").empty());
 }
 
 }  // namespace

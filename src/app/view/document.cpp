@@ -77,7 +77,7 @@ void Document::load() {
     for (std::unique_ptr<Side>& side : sides_)
       side.reset();
   } catch (const Error& error) {
-    error_ = error.what();
+    fail(error);
   }
   loadPath();
 }
@@ -88,12 +88,12 @@ void Document::loadPath() {
     path_ = camera.path.empty() ? scene_->cameras : asset::readSceneFile(camera.path).cameras;
     if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
   } catch (const Error& error) {
-    error_ = error.what();
+    fail(error);
     camera.path.clear();
     path_ = scene_->cameras;
   }
   if (path_.empty() && (camera.frame || camera.freezeFrame))
-    error_ = "the scene has no camera path, so it has no frames; the whole scene is in view instead";
+    fail(Error(ErrorCode::kUsage, "the scene has no camera path, so it has no frames: the whole scene is in view", file_));
   const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
   for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
     if (path_.empty()) frame->reset();
@@ -112,7 +112,7 @@ Side* Document::prepare(int index, const RenderOptions& options) {
       if (!failedFor_.empty()) error_.clear();
       failedFor_.clear();
     } catch (const Error& error) {
-      error_ = error.what();
+      fail(error);
       failedFor_ = key;
       return side.get();
     }

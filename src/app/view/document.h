@@ -13,6 +13,7 @@
 #include "app/view/file_watch.h"
 #include "app/view/navigation.h"
 #include "asset/scene_file.h"
+#include "core/error.h"
 #include "gl/capabilities.h"
 
 namespace jalousie::app {
@@ -79,6 +80,7 @@ class Document {
   std::string rebuild(const RenderOptions (&options)[kSides]);
 
   const std::string& error() const { return error_; }
+  ErrorCode errorCode() const { return errorCode_; }
   const std::vector<asset::Camera>& path() const { return path_; }
   /// Bounds of the scene, also before a renderer exists.
   Aabb boundsWorld() const { return boundsWorld_; }
@@ -87,6 +89,11 @@ class Document {
   CameraChoice camera;
 
  private:
+  void fail(const Error& error) {
+    error_ = error.what();
+    errorCode_ = error.code();
+  }
+
   std::filesystem::path file_;
   FileWatch watch_;
   std::optional<asset::SceneFile> scene_;
@@ -94,6 +101,7 @@ class Document {
   std::vector<asset::Camera> path_;
   std::array<std::unique_ptr<Side>, kSides> sides_;
   std::string error_;       ///< shown over the picture; empty: all is well
+  ErrorCode errorCode_ = ErrorCode::kInternal;
   std::string failedFor_;   ///< what prepare() failed for: not tried again in every frame
 };
 

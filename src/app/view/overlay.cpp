@@ -112,7 +112,7 @@ void drawSwatches(const Region& region, const char* title, const std::vector<Swa
   float width = ImGui::CalcTextSize(title).x + 2.0F * unit();
   for (const Swatch& s : swatches)
     width += ImGui::CalcTextSize(s.text).x + 2.35F * unit();
-  const float x = region.x + 0.8F * unit();
+  const float x = region.x + region.width - 0.8F * unit() - width;
   const float y = region.y + region.height - 2.6F * unit();
   plate(list, {x, y}, {x + width, y + 1.9F * unit()});
   list.AddText({x + 0.6F * unit(), y + 0.4F * unit()}, kText, title);
@@ -130,7 +130,7 @@ void drawScale(const Region& region, const std::string& title, const std::vector
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const Clip clip(list, region);
   const float width = 18.0F * unit();
-  const float x = region.x + 0.8F * unit();
+  const float x = region.x + region.width - 3.8F * unit() - width;
   const float y = region.y + region.height - 5.0F * unit();
   plate(list, {x, y}, {x + width + 3.0F * unit(), y + 4.3F * unit()});
   list.AddText({x + 1.5F * unit(), y + 0.3F * unit()}, kText, title.c_str());
@@ -145,8 +145,9 @@ void drawScale(const Region& region, const std::string& title, const std::vector
   for (const Tick& tick : ticks) {
     const float at = barX + tick.at * width;
     list.AddLine({at, barY + 0.8F * unit()}, {at, barY + 1.1F * unit()}, kText);
-    list.AddText({at - 0.5F * ImGui::CalcTextSize(tick.text.c_str()).x, barY + 1.15F * unit()}, kText,
-                 tick.text.c_str());
+    const float textWidth = ImGui::CalcTextSize(tick.text.c_str()).x;
+    const float textX = std::clamp(at - 0.5F * textWidth, x + 0.3F * unit(), x + width + 2.7F * unit() - textWidth);
+    list.AddText({textX, barY + 1.15F * unit()}, kText, tick.text.c_str());
   }
 }
 
@@ -159,15 +160,13 @@ ImU32 bytesOf(const glm::vec3& linear) {
   return IM_COL32(srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z), 255);
 }
 
-std::string holeTick(float pixels) {
-  return fmt::format("{:g}{}", pixels, pixels >= gpu::kHoleScalePixels ? "+ px" : " px");
-}
-
-void drawHoleScale(const Region& region) {
+/// Ticks at every second doubling.
+std::vector<Tick> doublings(float most, const char* unitText) {
   std::vector<Tick> ticks;
-  for (float pixels = 1.0F; pixels <= gpu::kHoleScalePixels; pixels *= 4.0F)
-    ticks.push_back({std::log2(pixels) / std::log2(gpu::kHoleScalePixels), holeTick(pixels)});
-  drawScale(region, "mean hole in front of it", ticks);
+  for (float value = 1.0F; value <= most; value *= 4.0F)
+    ticks.push_back({std::log2(value) / std::log2(most),
+                     fmt::format("{:g}{}{}", value, value >= most ? "+" : "", unitText)});
+  return ticks;
 }
 
 }  // namespace
@@ -239,10 +238,9 @@ void drawLegend(const Region& region, const RenderOptions& options) {
               {{0.0F, "-1 open"}, {0.5F, "0"}, {1.0F, "1 hidden"}});
   if (view == "coverage")
     drawScale(region, "covered share of its rectangle", {{0.0F, "0 %"}, {0.5F, "50 %"}, {1.0F, "100 %"}});
-  if (view == "holes") drawHoleScale(region);
+  if (view == "holes") drawScale(region, "mean hole in front of it", doublings(gpu::kHoleScalePixels, " px"));
   if (view == "overdraw")
-    drawScale(region, "drawn surfaces per pixel",
-              {{0.0F, "0"}, {0.25F, "4"}, {0.5F, "8"}, {1.0F, fmt::format("{:g}+", gpu::kOverdrawScale)}});
+    drawScale(region, "drawn surfaces per pixel; black: none", doublings(gpu::kOverdrawScale, ""));
   if (view == "phase")
     drawSwatches(region, "drawn", {{bytesOf({0.32F, 0.36F, 0.40F}), "before the test"},
                                    {bytesOf({0.95F, 0.38F, 0.02F}), "after it"},

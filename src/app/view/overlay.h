@@ -27,7 +27,7 @@ void drawFrustum(const Region& region, const scene::Camera& cull, const scene::C
 /// The box of the selected object and, unless the culling camera is frozen, its AABR and the texels of its block.
 void drawSelection(const Region& region, const Inspection& inspection, const scene::Camera& draw, bool frozen);
 
-/// What the colours of a view mean, in the lower left corner of a region. Nothing for the shaded view.
+/// What the colours of a view mean, in the lower right corner of a region. Nothing for the shaded view.
 void drawLegend(const Region& region, const RenderOptions& options);
 
 /// A text in a box over the middle of a region, several lines wide.

@@ -52,6 +52,10 @@ void ViewOptions::finish() {
   if (withInterface && screenshot.empty()) throw Error(ErrorCode::kUsage, "--interface needs --screenshot");
   if (!screenshot.empty() && !frames) frames = 1;
   json = render.json;
+#ifdef JALOUSIE_SHADER_FOLDER
+  // Development builds read the shaders of their source tree; scripts do not.
+  if (shaders.empty() && !frames) shaders = JALOUSIE_SHADER_FOLDER;
+#endif
   RenderOptions check = render;
   check.finishFrame();
   if (split) viewOptionsOf(*split);

@@ -36,7 +36,7 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
       shaderWatch_(options.shaders),
       settingsFolder_(settingsFolder()) {
   state_.settings = loadSettings(settingsFolder_);
-  if (!options.screenshot.empty()) state_.settings.panel = state_.settings.graph = true;
+  if (!options.screenshot.empty()) state_.settings = {};  // a picture does not depend on what was left open
   state_.outputs = options.outputs;
   state_.divider = options.divider;
   state_.playing = options.play;
@@ -229,12 +229,14 @@ void Viewer::drawOverlays(std::size_t index) {
                     0.5F * document.boundsWorld().diagonal());
   if (state_.inspection && state_.selection && state_.selection->document == index)
     drawSelection(where, *state_.inspection, cameras.draw, document.camera.frozen());
-  drawLegend(where, options);
+  Region left = where;
+  if (state_.split && !state_.flicker) left.width = std::round(state_.divider * where.width);
+  drawLegend(left, options);
   if (!state_.split || state_.flicker) return;
   Region right = where;
   right.x += std::round(state_.divider * where.width);
   right.width -= std::round(state_.divider * where.width);
-  if (state_.configurations[1].active.view != options.view) drawLegend(right, optionsFor(index, 1));
+  drawLegend(right, optionsFor(index, 1));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddLine({right.x, 0.0F}, {right.x, where.height}, IM_COL32(255, 255, 255, 220), 2.0F * interface_.scale());
   list.AddCircleFilled({right.x, 0.5F * where.height}, 7.0F * interface_.scale(), IM_COL32(255, 255, 255, 220));

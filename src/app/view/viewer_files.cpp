@@ -135,7 +135,7 @@ void Viewer::writeJson(const std::filesystem::path& file) const {
 void Viewer::finish() {
   if (options_.frames)
     for (const auto& document : documents_)
-      if (!document->error().empty()) throw Error(ErrorCode::kSomeFailed, document->error());
+      if (!document->error().empty()) throw Error(document->errorCode(), document->error());
   if (!options_.screenshot.empty())
     asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot);
   if (!options_.json.empty()) writeJson(options_.json);
