@@ -30,7 +30,8 @@ bool countsPixels(const Options& o) {
 std::vector<RenderOption> cullingRows() {
   return {
       {"--mode", "mode", "",
-       "Culling: full = none, frustum, hom = hierarchical occlusion map as in the thesis, hom-depth = the same where the "
+       "Culling: full = none, frustum, hom = hierarchical occlusion map as in the thesis, hom-depth = the same where "
+       "the "
        "occluders are in front, hiz = two phases against depth, never hides what can be seen",
        OptionGroup::kCulling,
        ChoiceValue{[](Options& o) -> std::string& { return o.mode; }, {"full", "frustum", "hom", "hom-depth", "hiz"}}},
@@ -41,8 +42,7 @@ std::vector<RenderOption> cullingRows() {
       {"--importance", "importance mask", "",
        "Grey image stretched over the screen: white keeps --tau and --min-pixels, darker divides by its value, down to "
        "1/16",
-       OptionGroup::kCulling,
-       FileValue{[](Options& o) -> std::filesystem::path& { return o.importance; }, "MASK.png"}},
+       OptionGroup::kCulling, FileValue{[](Options& o) -> std::filesystem::path& { return o.importance; }, "MASK.png"}},
       {"--occluder-distance", "occluder distance", "world units",
        "Objects nearer than this are occluders [distance to the scene + 12 % of its diagonal]", OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderDistance; }, 0.0F,
@@ -62,7 +62,8 @@ std::vector<RenderOption> cullingRows() {
 std::vector<RenderOption> detailRows() {
   return {
       {"--lod", "level rule", "",
-       "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau, lv-error = the same, "
+       "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau, lv-error = the "
+       "same, "
        "relaxed where the object is hidden",
        OptionGroup::kDetail,
        ChoiceValue{[](Options& o) -> std::string& { return o.lod; }, {"finest", "linear", "pixel-error", "lv-error"}}},
@@ -71,7 +72,8 @@ std::vector<RenderOption> detailRows() {
        "--lod pixel-error or lv-error", followsError},
       {"--lv", "hiddenness", "",
        "Measure of hiddenness: thesis = level of visibility, spectral = how finely divided the opening is, chord = how "
-       "short its mean chord, coverage = covered share alone, pixels = counted in the last frame, none [linear: thesis, "
+       "short its mean chord, coverage = covered share alone, pixels = counted in the last frame, none [linear: "
+       "thesis, "
        "lv-error and --view lv: pixels]",
        OptionGroup::kDetail,
        ChoiceValue{[](Options& o) -> std::string& { return o.lv; },
@@ -82,7 +84,8 @@ std::vector<RenderOption> detailRows() {
        NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F}, "--lod lv-error",
        [](const Options& o) { return o.lod == "lv-error"; }},
       {"--calm", "calm", "",
-       "Levels keep within a margin of the budget (hysteresis), change one at a time and are cross-faded, as in a moving "
+       "Levels keep within a margin of the budget (hysteresis), change one at a time and are cross-faded, as in a "
+       "moving "
        "picture; without it they follow from the view alone",
        OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.calm; }},
        "--lod pixel-error or lv-error", followsError},
@@ -113,20 +116,25 @@ std::vector<RenderOption> drawingRows() {
 std::vector<RenderOption> viewRows() {
   return {
       {"--view", "view", "",
-       "shaded; lod = occluders red, others blue, lighter = coarser; lv = heat map of hiddenness; coverage = heat map of "
-       "the covered share, holes = of the mean hole in front of it; occlusion = the map or depth pyramid itself; phase = "
-       "drawn before the test grey, after it orange, before it in vain red; wireframe = the triangles, coloured by level; "
+       "shaded; lod = occluders red, others blue, lighter = coarser; lv = heat map of hiddenness; coverage = heat map "
+       "of "
+       "the covered share, holes = of the mean hole in front of it; occlusion = the map or depth pyramid itself; phase "
+       "= "
+       "drawn before the test grey, after it orange, before it in vain red; wireframe = the triangles, coloured by "
+       "level; "
        "overdraw = surfaces per pixel; ghosts = what was culled, see-through over the rest",
        OptionGroup::kView, ChoiceValue{[](Options& o) -> std::string& { return o.view; }, viewNames()}},
       {"--map-level", "map level", "pyramid level", "Level that --view occlusion shows; one texel is 2^level pixels",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.mapLevel; }, 0, 14},
        "--view occlusion", [](const Options& o) { return o.view == "occlusion"; }},
       {"--boxes", "rectangles", "",
-       "Draw every object's rectangle on the screen (AABR) over the view: open green, partly covered yellow, hidden red, "
+       "Draw every object's rectangle on the screen (AABR) over the view: open green, partly covered yellow, hidden "
+       "red, "
        "occluders white",
        OptionGroup::kView, FlagValue{[](Options& o) -> bool& { return o.frameOptions.boxes; }}},
       {"--settle", "settle", "frames",
-       "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame after a "
+       "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame after "
+       "a "
        "cut",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.settle; }, 0, 1000},
        "--mode hiz or --lv pixels", [](const Options& o) { return o.mode == "hiz" || countsPixels(o); }},

@@ -67,8 +67,7 @@ void checkOutput(const RenderOptions& o) {
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--path", options.path, "glTF whose camera path --frame follows [the scene's own]")
       ->type_name("PATH.glb");
-  command.add_option("--frame", options.frame, "Frame of the camera path, 30 a second")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("--frame", options.frame, "Frame of the camera path, 30 a second")->check(CLI::NonNegativeNumber);
   addPoint(command, "--eye", options.eye, "Camera position, world units; needs --look");
   addPoint(command, "--look", options.look, "Point the camera looks at");
   command.add_option("--freeze-frame", options.freezeFrame, "Cull from this frame's camera, draw from the other one")

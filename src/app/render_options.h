@@ -43,7 +43,7 @@ struct RenderOptions {
   bool quiet = false;
   std::string draws = "instanced";
   bool coreOnly = false;
-  std::set<std::string> given;  ///< names of the table's options that were said, whatever their value
+  std::set<std::string> given;              ///< names of the table's options that were said, whatever their value
   render::FrameOptions frameOptions;        ///< the enums of the texts above, filled by finish()
   render::RendererOptions rendererOptions;  ///< likewise
 

@@ -29,8 +29,7 @@ DebugViews::Halvings::Halvings(std::uint32_t width, std::uint32_t height)
   texture.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
 }
 
-void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
-                      visibility::DrawListPass& lists) {
+void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists) {
   if (frame.view.view == gpu::kViewWireframe) drawLines(frame, pass, buffers);
   if (frame.view.view == gpu::kViewOverdraw) drawOverdraw(frame, pass, buffers);
   if (frame.view.view == gpu::kViewGhosts) drawGhosts(frame, pass, buffers, lists);

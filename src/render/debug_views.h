@@ -14,10 +14,10 @@ namespace jalousie::render {
 
 /// The frame as the views build on it. Borrows everything.
 struct DrawnFrame {
-  gpu::DrawView view{};                              ///< the drawing camera
-  bool twoPhases = false;                            ///< both lists were drawn, else the late one alone
-  const gl::Framebuffer* target = nullptr;           ///< colour and depth
-  const gl::Framebuffer* colorTarget = nullptr;      ///< colour alone
+  gpu::DrawView view{};                          ///< the drawing camera
+  bool twoPhases = false;                        ///< both lists were drawn, else the late one alone
+  const gl::Framebuffer* target = nullptr;       ///< colour and depth
+  const gl::Framebuffer* colorTarget = nullptr;  ///< colour alone
   const visibility::DrawList* early = nullptr;
   const visibility::DrawList* late = nullptr;
   const visibility::VisibilityPass* visibility = nullptr;

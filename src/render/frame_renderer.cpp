@@ -165,8 +165,8 @@ void FrameRenderer::findOccluded(const FrameOptions& options) {
   }
   if (options.cullMode != gpu::kCullHom) {
     const gl::PassTimer::Scope pass(timer_, "depth pyramid");
-    pyramid_.build(
-        targets_.depth, options.cullMode == gpu::kCullHiz ? visibility::DepthSource::kAll : visibility::DepthSource::kCovered);
+    pyramid_.build(targets_.depth, options.cullMode == gpu::kCullHiz ? visibility::DepthSource::kAll
+                                                                     : visibility::DepthSource::kCovered);
   }
   const gl::PassTimer::Scope pass(timer_, "analyse");
   visibility_.analyse(buffers_.bindings(), options.cullMode, {&map_, &pyramid_, &targets_.depth});
@@ -259,8 +259,8 @@ void FrameRenderer::drawView(const FrameOptions& options, bool frozen) {
   const bool addsBoxes = options.boxes && !frozen;
   if (options.view < gpu::kViewWireframe && !addsBoxes) return;
   const gl::PassTimer::Scope pass(timer_, options.view < gpu::kViewWireframe ? "boxes" : "view");
-  const DrawnFrame frame{drawView_, cullView_.cullMode == gpu::kCullHiz, &targets_.frame, &targets_.view, &early_,
-                         &late_,    &visibility_};
+  const DrawnFrame frame{
+      drawView_, cullView_.cullMode == gpu::kCullHiz, &targets_.frame, &targets_.view, &early_, &late_, &visibility_};
   views_.draw(frame, draw_, buffers_, lists_);
   if (!addsBoxes) return;
   draw_.setView(drawView_);

@@ -69,19 +69,19 @@ TEST_F(ViewFiles, WatchedFilesAreReadAgain) {
   options.watch = true;
   if (!open(options)) GTEST_SKIP() << "no display";
   const auto objects = [&] { return viewer_->document(0).side(0)->scene().objects.size(); };
-  EXPECT_EQ(objects(), 26U);
+  EXPECT_EQ(objects(), 27U);
   test::writeSpheres(scene(), 3);
-  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).side(0) != nullptr && objects() == 10; }));
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).side(0) != nullptr && objects() == 11; }));
   std::ofstream(scene()) << "half a file";
   EXPECT_TRUE(waitFor([&] { return !viewer_->document(0).error().empty(); }));
-  EXPECT_EQ(objects(), 10U) << "the last good scene stays";
+  EXPECT_EQ(objects(), 11U) << "the last good scene stays";
   fs::remove(scene());
   for (int i = 0; i < 20; ++i)
     viewer_->step();
-  EXPECT_EQ(objects(), 10U);
+  EXPECT_EQ(objects(), 11U);
   test::writeSpheres(scene(), 4);
   EXPECT_TRUE(waitFor([&] { return viewer_->document(0).error().empty() && viewer_->document(0).side(0) != nullptr; }));
-  EXPECT_TRUE(waitFor([&] { return objects() == 17; }));
+  EXPECT_TRUE(waitFor([&] { return objects() == 18; }));
   settle();
   expectHeadlessEqual("read again");
 }
@@ -155,7 +155,7 @@ TEST_F(ViewFiles, ProgramWritesScreenshotsAndFiguresForScripts) {
   EXPECT_TRUE(asset::loadImage(shot).pixels == asset::loadImage(frame).pixels);
   const nlohmann::json stats = nlohmann::json::parse(std::ifstream(folder_ / "stats.json"));
   ASSERT_FALSE(stats["frames"].empty());
-  EXPECT_EQ(stats["frames"][0]["objects"], 26);
+  EXPECT_EQ(stats["frames"][0]["objects"], 27);
   EXPECT_TRUE(stats["frames"][0]["passes"].contains("classify"));
   EXPECT_FALSE(fs::exists(folder_ / "config")) << "a script leaves no settings";
   const test::ProgramResult missing = jalousie({"view", (folder_ / "no.glb").string(), "--screenshot", shot});
@@ -167,8 +167,8 @@ TEST_F(ViewFiles, InterfaceDrawsAtEveryScale) {
   for (const char* scale : {"1", "2", "3.5"}) {
     const std::string shot = (folder_ / "scaled.png").string();
     const test::ProgramResult result = test::runProgram(
-        JALOUSIE_PROGRAM, {"view", scene().string(), "--size", "700x500", "--scale", scale, "--interface", "--screenshot",
-                           shot, "--frames", "10", "--select", "0", "--debug"});
+        JALOUSIE_PROGRAM, {"view", scene().string(), "--size", "700x500", "--scale", scale, "--interface",
+                           "--screenshot", shot, "--frames", "10", "--select", "0", "--debug"});
     if (result.exitCode == 9) GTEST_SKIP() << result.standardError;
     ASSERT_EQ(result.exitCode, 0) << result.standardError;
     EXPECT_EQ(asset::loadImage(shot).width, 700U);

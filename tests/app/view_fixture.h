@@ -25,7 +25,8 @@
 
 namespace jalousie::test {
 
-/// A GLB of spheres in three levels with errors: one large in front, a grid of small ones behind it.
+/// A GLB of spheres in three levels with errors: one large in front, a grid of small ones behind it,
+/// and one that the first hides from the camera of the start.
 /// @param side  of the grid
 inline void writeSpheres(const std::filesystem::path& file, int side = 5) {
   tinygltf::Model model;
@@ -68,6 +69,7 @@ inline void writeSpheres(const std::filesystem::path& file, int side = 5) {
   add(0.0, 0.0, 2.0, 1.0);
   for (int i = 0; i < side * side; ++i)
     add(1.1 * (i % side - side / 2), 1.1 * (i / side - side / 2), -3.0, 0.5);
+  add(-0.42, -0.48, 0.8, 0.15);
   asset::saveGlb(model, file);
 }
 
@@ -157,8 +159,8 @@ class ViewTest : public testing::Test {
     ASSERT_EQ(result.exitCode, 0) << what << ": " << command << ": " << result.standardError;
     const ImageRgba8 expected = asset::loadImage(file);
     const app::Region where = viewer_->region(state().current);
-    const ImageRgba8 actual = columns(viewer_->capture(), static_cast<std::uint32_t>(where.x),
-                                      static_cast<std::uint32_t>(where.width));
+    const ImageRgba8 actual =
+        columns(viewer_->capture(), static_cast<std::uint32_t>(where.x), static_cast<std::uint32_t>(where.width));
     ASSERT_EQ(actual.width, expected.width) << command;
     ASSERT_EQ(actual.height, expected.height) << command;
     EXPECT_TRUE(actual.pixels == expected.pixels) << what << ": " << command;

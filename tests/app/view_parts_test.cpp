@@ -58,9 +58,9 @@ TEST(Navigation, FramedBoxIsInView) {
   const scene::Camera camera = scene::lookAt(pose.eye, pose.look, box);
   const glm::mat4 clip = scene::clipFromWorld(camera, 0.5F);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec4 p = clip * glm::vec4((corner & 1) != 0 ? box.max.x : box.min.x,
-                                         (corner & 2) != 0 ? box.max.y : box.min.y,
-                                         (corner & 4) != 0 ? box.max.z : box.min.z, 1.0F);
+    const glm::vec4 p =
+        clip * glm::vec4((corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                         (corner & 4) != 0 ? box.max.z : box.min.z, 1.0F);
     EXPECT_LE(std::abs(p.x), p.w);
     EXPECT_LE(std::abs(p.y), p.w);
   }
@@ -98,10 +98,11 @@ TEST(RenderOptionTable, EveryRowHasWordsForPeople) {
 }
 
 TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
-  for (const char* text : {"", "--tau 0.3333333 --relax 7", "--mode hom --lod linear --lv coverage --cull-threshold 0.95",
-                           "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
-                           "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
-                           "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
+  for (const char* text :
+       {"", "--tau 0.3333333 --relax 7", "--mode hom --lod linear --lv coverage --cull-threshold 0.95",
+        "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
+        "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
+        "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
     const RenderOptions options = parsed(text);
     const std::string written = methodOptions(options);
     EXPECT_EQ(methodOptions(parsed(written)), written) << text;
@@ -122,8 +123,8 @@ TEST(RenderOptionTable, WhatDoesNotApplyIsDropped) {
 }
 
 TEST(RenderOptionTable, ContradictionsAreRefused) {
-  for (const char* text : {"--tau 1 --lod finest", "--map-level 1", "--view phase --mode full", "--view holes --mode full",
-                           "--settle 2 --mode frustum --lod pixel-error"}) {
+  for (const char* text : {"--tau 1 --lod finest", "--map-level 1", "--view phase --mode full",
+                           "--view holes --mode full", "--settle 2 --mode frustum --lod pixel-error"}) {
     RenderOptions options = parsed(text);
     EXPECT_THROW(options.finishFrame(), Error) << text;
   }

@@ -16,7 +16,7 @@ std::vector<float> filled(std::uint32_t width, std::uint32_t height, float open)
 }
 
 gpu::ScreenBox boxOf(const glm::vec4& rect, float nearestDepth = 0.5F) {
-  return {rect.x, rect.y, rect.z, rect.w, nearestDepth, 1.0F, 1.0F, 0.0F};
+  return {rect.x, rect.y, rect.z, rect.w, nearestDepth, 1.0F, 1.0F, 0};
 }
 
 TEST(Overlap, LevelIsTheCeilingOfTheLogarithm) {

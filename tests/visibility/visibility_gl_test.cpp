@@ -354,7 +354,7 @@ std::vector<gpu::ScreenBox> adversarialBoxes(ScreenSize size, std::size_t count,
   std::vector<gpu::ScreenBox> boxes;
   for (const glm::vec4& rect : rects)
     boxes.push_back(
-        {rect.x, rect.y, rect.z, rect.w, random.below(9) == 0 ? 0.1F : random.uniform(0.05F, 0.7F), 1.0F, 1.0F, 0.0F});
+        {rect.x, rect.y, rect.z, rect.w, random.below(9) == 0 ? 0.1F : random.uniform(0.05F, 0.7F), 1.0F, 1.0F, 0});
   return boxes;
 }
 
@@ -536,7 +536,7 @@ class DrawListGl : public test::GlTest {
       const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
       input.states.push_back({gpu::kVerdictPartial, random.below(chain.lodCount),
                               random.below(3) == 0 ? 1 : 1 + random.below(maxTessellation), -1.0F});
-      input.boxes.push_back({0, 0, 1, 1, 0.5F, std::exp2(random.uniform(0.0F, 12.0F)), 1.0F, 0.0F});
+      input.boxes.push_back({0, 0, 1, 1, 0.5F, std::exp2(random.uniform(0.0F, 12.0F)), 1.0F, 0});
       input.marks.push_back(random.below(8) | (isMirrored(scene.transforms[i]) ? gpu::kMarkMirrored : 0));
       if (chain.lodCount == 1 || random.below(3) > 0) continue;
       const gpu::uint lod = input.states.back().lod;

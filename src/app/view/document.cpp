@@ -93,7 +93,8 @@ void Document::loadPath() {
     path_ = scene_->cameras;
   }
   if (path_.empty() && (camera.frame || camera.freezeFrame))
-    fail(Error(ErrorCode::kUsage, "the scene has no camera path, so it has no frames: the whole scene is in view", file_));
+    fail(Error(ErrorCode::kUsage, "the scene has no camera path, so it has no frames: the whole scene is in view",
+               file_));
   const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
   for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
     if (path_.empty()) frame->reset();

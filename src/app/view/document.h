@@ -100,9 +100,9 @@ class Document {
   Aabb boundsWorld_;
   std::vector<asset::Camera> path_;
   std::array<std::unique_ptr<Side>, kSides> sides_;
-  std::string error_;       ///< shown over the picture; empty: all is well
+  std::string error_;  ///< shown over the picture; empty: all is well
   ErrorCode errorCode_ = ErrorCode::kInternal;
-  std::string failedFor_;   ///< what prepare() failed for: not tried again in every frame
+  std::string failedFor_;  ///< what prepare() failed for: not tried again in every frame
 };
 
 }  // namespace jalousie::app

@@ -12,8 +12,8 @@
 namespace jalousie::app {
 
 struct FrameSample {
-  double seconds = 0.0;  ///< when, since the program started
-  double frameMs = 0.0;  ///< sum of the passes
+  double seconds = 0.0;                                ///< when, since the program started
+  double frameMs = 0.0;                                ///< sum of the passes
   std::vector<std::pair<std::string, double>> passes;  ///< name and milliseconds, in frame order
   render::FrameStatistics statistics;                  ///< the newest that had arrived: up to two frames older
 };

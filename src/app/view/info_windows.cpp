@@ -86,8 +86,7 @@ void drawSpectrum(const InspectedBlock& b, float width, float height) {
   ImGui::InvisibleButton("spectrum", {width, height});
   if (!ImGui::IsItemHovered()) return;
   const auto index = static_cast<std::size_t>((ImGui::GetIO().MousePos.x - origin.x) / step);
-  if (index < bars.size())
-    ImGui::SetTooltip("F(%u,%u) = %.4f", bars[index].u, bars[index].v, bars[index].value);
+  if (index < bars.size()) ImGui::SetTooltip("F(%u,%u) = %.4f", bars[index].u, bars[index].v, bars[index].value);
 }
 
 void drawBlockSection(const Inspection& i, const RenderOptions& options) {
@@ -217,14 +216,21 @@ void drawFrameGraph(const FrameHistory& history) {
   if (ImGui::Begin("Frames") && !history.samples().empty()) {
     const FrameSample& last = history.samples().back();
     const render::FrameStatistics& s = last.statistics;
-    plot(history, "frame", [](const FrameSample& f) { return f.frameMs; }, fmt::format("{:.2f} ms", last.frameMs));
-    plot(history, "triangles", [](const FrameSample& f) { return static_cast<double>(f.statistics.triangles); },
-         fmt::format("{} of {}", triangleText(s.triangles), triangleText(s.trianglesFull)));
-    plot(history, "drawn", [](const FrameSample& f) { return static_cast<double>(f.statistics.drawn); },
-         fmt::format("{} of {} objects", s.drawn, s.objects));
-    plot(history, "culled", [](const FrameSample& f) {
-      return static_cast<double>(f.statistics.culledFrustum + f.statistics.culledOcclusion + f.statistics.culledSmall);
-    }, fmt::format("{} outside, {} hidden, {} small", s.culledFrustum, s.culledOcclusion, s.culledSmall));
+    plot(
+        history, "frame", [](const FrameSample& f) { return f.frameMs; }, fmt::format("{:.2f} ms", last.frameMs));
+    plot(
+        history, "triangles", [](const FrameSample& f) { return static_cast<double>(f.statistics.triangles); },
+        fmt::format("{} of {}", triangleText(s.triangles), triangleText(s.trianglesFull)));
+    plot(
+        history, "drawn", [](const FrameSample& f) { return static_cast<double>(f.statistics.drawn); },
+        fmt::format("{} of {} objects", s.drawn, s.objects));
+    plot(
+        history, "culled",
+        [](const FrameSample& f) {
+          return static_cast<double>(f.statistics.culledFrustum + f.statistics.culledOcclusion +
+                                     f.statistics.culledSmall);
+        },
+        fmt::format("{} outside, {} hidden, {} small", s.culledFrustum, s.culledOcclusion, s.culledSmall));
     drawPasses(last);
   }
   ImGui::End();

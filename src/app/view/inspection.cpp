@@ -16,15 +16,24 @@ using visibility::Cover;
 
 std::string verdictText(gpu::uint verdict) {
   switch (verdict) {
-    case gpu::kVerdictOutside: return "outside the frustum: not drawn";
-    case gpu::kVerdictOccluded: return "hidden: not drawn";
-    case gpu::kVerdictOccluder: return "occluder: near enough to be drawn into the map";
-    case gpu::kVerdictNear: return "crosses the near plane: has no finite rectangle, counts as visible";
-    case gpu::kVerdictOpen: return "open: nothing lies in front of it";
-    case gpu::kVerdictPartial: return "partly covered";
-    case gpu::kVerdictPending: return "in view; this mode does not test what covers it";
-    case gpu::kVerdictSmall: return "smaller than the contribution threshold: not drawn";
-    default: return "hidden now, drawn because it was visible in the last frame";
+    case gpu::kVerdictOutside:
+      return "outside the frustum: not drawn";
+    case gpu::kVerdictOccluded:
+      return "hidden: not drawn";
+    case gpu::kVerdictOccluder:
+      return "occluder: near enough to be drawn into the map";
+    case gpu::kVerdictNear:
+      return "crosses the near plane: has no finite rectangle, counts as visible";
+    case gpu::kVerdictOpen:
+      return "open: nothing lies in front of it";
+    case gpu::kVerdictPartial:
+      return "partly covered";
+    case gpu::kVerdictPending:
+      return "in view; this mode does not test what covers it";
+    case gpu::kVerdictSmall:
+      return "smaller than the contribution threshold: not drawn";
+    default:
+      return "hidden now, drawn because it was visible in the last frame";
   }
 }
 
@@ -83,9 +92,10 @@ std::string whyByError(const Inspection& i, const gpu::CullView& view) {
     text += fmt::format(". {:.3g} % of it can be seen, so up to {:.3g} px would do, level {}",
                         100.0F * visibility::visibleShare(i.readout.state.lv), i.tau * i.relaxed, i.coarsest);
   if (i.finest != i.coarsest)
-    text += fmt::format(". Among these, level {} costs least: a coarser one must save more triangles than its error is "
-                        "worth",
-                        i.chosen);
+    text += fmt::format(
+        ". Among these, level {} costs least: a coarser one must save more triangles than its error is "
+        "worth",
+        i.chosen);
   if (view.calm != 0) text += ". Calm: it may lag behind by the margin, one level at a time";
   const bool unmeasured = std::any_of(i.levels.begin(), i.levels.end(),
                                       [](const InspectedLevel& level) { return std::isinf(level.errorObject); });
@@ -100,9 +110,10 @@ std::string whyText(const Inspection& i, const gpu::CullView& view) {
   if (view.lodRule == gpu::kLodFinest) return "The rule draws every object at level 0.";
   if (view.lodRule == gpu::kLodLinear) {
     if (verdict == gpu::kVerdictOccluder) return "Occluders are drawn at level 0.";
-    return fmt::format("LV {:.3f} is {:.1f} % of the way from open to covered, and so is the level from finest to "
-                       "coarsest.",
-                       i.readout.state.lv, 100.0F * visibility::hiddenShare(i.readout.state.lv));
+    return fmt::format(
+        "LV {:.3f} is {:.1f} % of the way from open to covered, and so is the level from finest to "
+        "coarsest.",
+        i.readout.state.lv, 100.0F * visibility::hiddenShare(i.readout.state.lv));
   }
   return whyByError(i, view);
 }
@@ -146,8 +157,8 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
   const gpu::ScreenBox& box = result.readout.box;
   result.hasRect = box.maxX > box.minX && box.maxY > box.minY;
   if (options.lvMeasure == gpu::kLvPixels && (result.readout.marks & gpu::kMarkCounted) != 0 && result.hasRect)
-    result.countedLv = visibility::pixelsLv(static_cast<float>(result.readout.pixels),
-                                            (box.maxX - box.minX) * (box.maxY - box.minY));
+    result.countedLv =
+        visibility::pixelsLv(static_cast<float>(result.readout.pixels), (box.maxX - box.minX) * (box.maxY - box.minY));
   inspectLevels(result, scene, view);
   if (result.hasRect) result.block = inspectBlock(box, renderer);
   result.verdict = verdictText(result.readout.state.verdict);

@@ -26,8 +26,8 @@ struct InspectedBlock {
   visibility::AnalysedBlock block;
   std::vector<double> spectrum;  ///< DCT of opacity - 1/2, F(u, v) at [v * width + u]
   float openShare = 1.0F;
-  float fineness = 0.0F;      ///< phi of the spectral measure
-  float chordPixels = 0.0F;   ///< mean open chord; infinite where nothing differs
+  float fineness = 0.0F;                  ///< phi of the spectral measure
+  float chordPixels = 0.0F;               ///< mean open chord; infinite where nothing differs
   std::array<float, gpu::kLvCount> lv{};  ///< by measure; kLvPixels has that of the covered share
 };
 
@@ -37,18 +37,18 @@ struct Inspection {
   std::string chain;           ///< name, or number
   Aabb boundsWorld;
   render::ObjectReadout readout;
-  bool hasRect = false;     ///< the box has a finite AABR on the screen
-  float importance = 1.0F;  ///< of its place, from the mask
+  bool hasRect = false;                 ///< the box has a finite AABR on the screen
+  float importance = 1.0F;              ///< of its place, from the mask
   std::optional<InspectedBlock> block;  ///< with a map or pyramid and an AABR
   std::optional<float> countedLv;       ///< from the pixels that showed it
-  float tau = 0.0F;      ///< error it may show, pixels
-  float relaxed = 1.0F;  ///< what hiddenness multiplies it by
+  float tau = 0.0F;                     ///< error it may show, pixels
+  float relaxed = 1.0F;                 ///< what hiddenness multiplies it by
   std::vector<InspectedLevel> levels;
-  std::uint32_t chosen = 0;   ///< level drawn, or that would be
-  std::uint32_t finest = 0;   ///< coarsest level within tau
-  std::uint32_t coarsest = 0; ///< coarsest level within tau * relaxed
-  std::string verdict;        ///< in words
-  std::string why;            ///< why this level, in words
+  std::uint32_t chosen = 0;    ///< level drawn, or that would be
+  std::uint32_t finest = 0;    ///< coarsest level within tau
+  std::uint32_t coarsest = 0;  ///< coarsest level within tau * relaxed
+  std::string verdict;         ///< in words
+  std::string why;             ///< why this level, in words
 };
 
 /// Reads the last frame of a renderer; draws what hid into its targets again, so the picture is gone afterwards.

@@ -139,7 +139,8 @@ void drawScale(const Region& region, const std::string& title, const std::vector
   constexpr int kSteps = 64;
   for (int i = 0; i < kSteps; ++i) {
     const float from = static_cast<float>(i) / kSteps;
-    list.AddRectFilled({barX + from * width, barY}, {barX + (from + 1.0F / kSteps) * width + 0.5F, barY + 0.8F * unit()},
+    list.AddRectFilled({barX + from * width, barY},
+                       {barX + (from + 1.0F / kSteps) * width + 0.5F, barY + 0.8F * unit()},
                        heatBytes(from + 0.5F / kSteps));
   }
   for (const Tick& tick : ticks) {
@@ -164,8 +165,8 @@ ImU32 bytesOf(const glm::vec3& linear) {
 std::vector<Tick> doublings(float most, const char* unitText) {
   std::vector<Tick> ticks;
   for (float value = 1.0F; value <= most; value *= 4.0F)
-    ticks.push_back({std::log2(value) / std::log2(most),
-                     fmt::format("{:g}{}{}", value, value >= most ? "+" : "", unitText)});
+    ticks.push_back(
+        {std::log2(value) / std::log2(most), fmt::format("{:g}{}{}", value, value >= most ? "+" : "", unitText)});
   return ticks;
 }
 
@@ -242,16 +243,17 @@ void drawLegend(const Region& region, const RenderOptions& options) {
   if (view == "overdraw")
     drawScale(region, "drawn surfaces per pixel; black: none", doublings(gpu::kOverdrawScale, ""));
   if (view == "phase")
-    drawSwatches(region, "drawn", {{bytesOf({0.32F, 0.36F, 0.40F}), "before the test"},
-                                   {bytesOf({0.95F, 0.38F, 0.02F}), "after it"},
-                                   {bytesOf({0.75F, 0.03F, 0.03F}), "before it, in vain"}});
+    drawSwatches(region, "drawn",
+                 {{bytesOf({0.32F, 0.36F, 0.40F}), "before the test"},
+                  {bytesOf({0.95F, 0.38F, 0.02F}), "after it"},
+                  {bytesOf({0.75F, 0.03F, 0.03F}), "before it, in vain"}});
   if (view == "ghosts")
-    drawSwatches(region, "not drawn", {{bytesOf({0.90F, 0.05F, 0.45F}), "hidden"},
-                                       {bytesOf({0.90F, 0.70F, 0.05F}), "too small"},
-                                       {bytesOf({0.25F, 0.40F, 0.65F}), "outside"}});
+    drawSwatches(region, "not drawn",
+                 {{bytesOf({0.90F, 0.05F, 0.45F}), "hidden"},
+                  {bytesOf({0.90F, 0.70F, 0.05F}), "too small"},
+                  {bytesOf({0.25F, 0.40F, 0.65F}), "outside"}});
   if (view == "occlusion")
-    drawSwatches(region,
-                 options.mode == "hiz" ? "farthest depth of a texel" : "covered by occluders",
+    drawSwatches(region, options.mode == "hiz" ? "farthest depth of a texel" : "covered by occluders",
                  {{IM_COL32_WHITE, options.mode == "hiz" ? "near" : "covered"},
                   {IM_COL32(0, 0, 0, 255), options.mode == "hiz" ? "nothing" : "open"}});
 }

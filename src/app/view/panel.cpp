@@ -85,19 +85,18 @@ bool editValue(const RenderOption& option, RenderOptions& options) {
   return std::visit(
       Overloaded{
           [&](const ChoiceValue& v) {
-            return editChoice(label.c_str(), v.of(options), v.names, v.of(options).empty() || option.name == std::string("--lv"));
+            return editChoice(label.c_str(), v.of(options), v.names,
+                              v.of(options).empty() || option.name == std::string("--lv"));
           },
           [&](const NumberValue& v) { return editNumber(label.c_str(), v.of(options), v.least, v.most); },
           [&](const MaybeNumberValue& v) {
-            return editMaybe(option.label, v.of(options), std::max(v.least, 1.0F), [&](float& value) {
-              return editNumber(label.c_str(), value, v.least, v.most);
-            });
+            return editMaybe(option.label, v.of(options), std::max(v.least, 1.0F),
+                             [&](float& value) { return editNumber(label.c_str(), value, v.least, v.most); });
           },
           [&](const CountValue& v) { return editCount(label.c_str(), v.of(options), v.least, v.most); },
           [&](const MaybeCountValue& v) {
-            return editMaybe(option.label, v.of(options), std::max(v.least, 1000U), [&](std::uint32_t& value) {
-              return editCount(label.c_str(), value, v.least, v.most);
-            });
+            return editMaybe(option.label, v.of(options), std::max(v.least, 1000U),
+                             [&](std::uint32_t& value) { return editCount(label.c_str(), value, v.least, v.most); });
           },
           [&](const FlagValue& v) { return ImGui::Checkbox(label.c_str(), &v.of(options)); },
           [&](const FileValue& v) { return editText(label.c_str(), v.of(options)); },
@@ -174,7 +173,8 @@ void drawCamera(ViewState& state, Document* document, PanelResult& result) {
          "Culling and levels stay as this camera decides them; fly on to see what it left over (C)");
   result.camerasChanged |=
       editPose("frozen eye##--freeze-eye", "frozen look##--freeze-look", document->camera.freezePose);
-  if (document->camera.freezeFrame) ImGui::Text("frozen at frame %.0f", static_cast<double>(*document->camera.freezeFrame));
+  if (document->camera.freezeFrame)
+    ImGui::Text("frozen at frame %.0f", static_cast<double>(*document->camera.freezeFrame));
   button("Reset", Action::kReset, result, "The camera of the start (R)");
   ImGui::SameLine();
   button("Frame", Action::kFrame, result, "The selected object, or the whole scene, fills the view (F)");

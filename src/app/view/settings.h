@@ -18,8 +18,8 @@ using Bookmarks = std::array<std::optional<Pose>, kBookmarks>;
 struct ViewSettings {
   bool panel = true;
   bool graph = false;
-  float speed = 1.0F;          ///< of flying; 1: a tenth of the scene's diagonal a second
-  std::string layout;          ///< the interface library's own text
+  float speed = 1.0F;                          ///< of flying; 1: a tenth of the scene's diagonal a second
+  std::string layout;                          ///< the interface library's own text
   std::map<std::string, Bookmarks> bookmarks;  ///< by absolute path of the file
 };
 

@@ -29,8 +29,8 @@ void runView(const ViewOptions& options) {
     viewer.finish();
   }
   if (log && !log->problems().empty())
-    throw Error(ErrorCode::kInternal, fmt::format("OpenGL complained {} times, first: {}", log->problems().size(),
-                                                  log->problems().front()));
+    throw Error(ErrorCode::kInternal,
+                fmt::format("OpenGL complained {} times, first: {}", log->problems().size(), log->problems().front()));
 }
 
 }  // namespace jalousie::app

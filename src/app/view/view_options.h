@@ -27,10 +27,10 @@ struct ViewOptions {
   std::optional<std::uint32_t> select;       ///< object to inspect, in the file's order
   bool watch = false;
   bool play = false;
-  std::filesystem::path shaders;    ///< folder to read shaders from; empty: the embedded ones
-  std::filesystem::path outputs;    ///< folder of screenshots and paths; empty: the current one
-  float scale = 0.0F;               ///< of the interface; 0: the display's
-  bool debug = false;               ///< a debug context whose messages of weight become the exit code
+  std::filesystem::path shaders;  ///< folder to read shaders from; empty: the embedded ones
+  std::filesystem::path outputs;  ///< folder of screenshots and paths; empty: the current one
+  float scale = 0.0F;             ///< of the interface; 0: the display's
+  bool debug = false;             ///< a debug context whose messages of weight become the exit code
 
   /// Refuses contradictions. Errors: kUsage.
   void finish();

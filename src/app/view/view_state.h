@@ -34,22 +34,22 @@ struct Selection {
 struct ViewState {
   std::array<Configuration, Document::kSides> configurations;
   bool split = false;
-  float divider = 0.5F;        ///< share of the width
+  float divider = 0.5F;  ///< share of the width
   bool flicker = false;
   float flickerSeconds = 0.5F;
-  int flickerSide = 0;         ///< shown while flickering
+  int flickerSide = 0;  ///< shown while flickering
   bool help = false;
-  bool linked = true;          ///< cameras of several documents move together
+  bool linked = true;  ///< cameras of several documents move together
   bool playing = false;
   bool recording = false;
-  std::size_t current = 0;     ///< document that keys and panel act on
+  std::size_t current = 0;  ///< document that keys and panel act on
   std::optional<Selection> selection;
   std::optional<Inspection> inspection;
   ViewSettings settings;
-  FrameHistory history;        ///< of the current document's first configuration
-  std::string message;         ///< what happened last, for a few seconds
+  FrameHistory history;         ///< of the current document's first configuration
+  std::string message;          ///< what happened last, for a few seconds
   double messageSeconds = 0.0;  ///< when it came
-  std::string shaderError;     ///< empty: all shaders build
+  std::string shaderError;      ///< empty: all shaders build
   std::filesystem::path outputs;
 };
 

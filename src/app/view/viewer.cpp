@@ -249,14 +249,16 @@ void Viewer::drawInterface() {
   for (std::size_t i = 0; i < documents_.size(); ++i)
     drawOverlays(i);
   const Region whole{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
-  if (documents_.empty()) drawNotice(whole, "No file", "Drop a glTF or GLB file here, or name one on the command line.");
+  if (documents_.empty())
+    drawNotice(whole, "No file", "Drop a glTF or GLB file here, or name one on the command line.");
   if (!state_.shaderError.empty())
     drawNotice(whole, "A shader does not build; the last good ones go on", state_.shaderError);
   if (!state_.message.empty() && now() - state_.messageSeconds < kMessageSeconds) {
     ImGui::SetNextWindowPos({0.5F * whole.width, whole.height - 1.0F * ImGui::GetFontSize()}, ImGuiCond_Always,
                             {0.5F, 1.0F});
-    ImGui::Begin("message", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
-                                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings);
     ImGui::TextUnformatted(state_.message.c_str());
     ImGui::End();
   }
@@ -270,8 +272,9 @@ void Viewer::drawInterface() {
   if (state_.settings.panel) drawPanel(state_, current(), facts, result);
   if (state_.settings.graph) drawFrameGraph(state_.history);
   if (state_.inspection)
-    drawInspection(*state_.inspection,
-                   state_.configurations[static_cast<std::size_t>(state_.selection ? state_.selection->side : 0)].active);
+    drawInspection(
+        *state_.inspection,
+        state_.configurations[static_cast<std::size_t>(state_.selection ? state_.selection->side : 0)].active);
   if (state_.help) drawHelp(&state_.help);
   canvas_.bind();
   glDisable(GL_FRAMEBUFFER_SRGB);

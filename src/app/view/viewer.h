@@ -111,10 +111,10 @@ class Viewer {
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
   std::uint32_t framesDone_ = 0;
-  std::uint32_t dirtyFrames_ = 0;    ///< frames still to be rendered
-  std::uint32_t wakeFrames_ = 3;     ///< frames of the interface still to be drawn without waiting
-  bool inspectSoon_ = false;         ///< when everything has settled
-  bool screenshotSoon_ = false;      ///< with the interface, when it is drawn
+  std::uint32_t dirtyFrames_ = 0;  ///< frames still to be rendered
+  std::uint32_t wakeFrames_ = 3;   ///< frames of the interface still to be drawn without waiting
+  bool inspectSoon_ = false;       ///< when everything has settled
+  bool screenshotSoon_ = false;    ///< with the interface, when it is drawn
   bool quit_ = false;
   double lastStep_ = 0.0;
   double lastWatch_ = 0.0;
@@ -126,7 +126,7 @@ class Viewer {
   Drag drag_ = Drag::kNone;
   glm::vec2 dragFrom_{0.0F};
   glm::vec2 pointer_{0.0F};
-  bool dragged_ = false;             ///< far enough not to be a click
+  bool dragged_ = false;  ///< far enough not to be a click
 };
 
 }  // namespace jalousie::app

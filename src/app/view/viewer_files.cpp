@@ -29,8 +29,8 @@ void Viewer::say(const std::string& message) {
 
 void Viewer::open(const std::filesystem::path& file) {
   if (documents_.size() == kMostDocuments)
-    return say(fmt::format("{} is not opened: {} files side by side are the most", file.filename().string(),
-                           kMostDocuments));
+    return say(
+        fmt::format("{} is not opened: {} files side by side are the most", file.filename().string(), kMostDocuments));
   const CameraChoice camera = CameraChoice::of(options_.render);
   documents_.push_back(std::make_unique<Document>(file, camera));
   starts_.push_back(camera);
@@ -60,10 +60,10 @@ void Viewer::watchFiles() {
 
 void Viewer::playPath(double seconds) {
   if (state_.flicker) {
-    const int side = std::fmod(now(), 2.0 * static_cast<double>(state_.flickerSeconds)) <
-                             static_cast<double>(state_.flickerSeconds)
-                         ? 0
-                         : 1;
+    const int side =
+        std::fmod(now(), 2.0 * static_cast<double>(state_.flickerSeconds)) < static_cast<double>(state_.flickerSeconds)
+            ? 0
+            : 1;
     if (side != state_.flickerSide) wakeFrames_ = 1;
     state_.flickerSide = side;
   }
@@ -128,8 +128,7 @@ std::filesystem::path Viewer::freshOutput(const char* stem, const char* extensio
 }
 
 void Viewer::writeJson(const std::filesystem::path& file) const {
-  writeFileAtomic(file, state_.history.json(window_.capabilities().renderer,
-                                            !window_.capabilities().softwareRenderer));
+  writeFileAtomic(file, state_.history.json(window_.capabilities().renderer, !window_.capabilities().softwareRenderer));
 }
 
 void Viewer::finish() {

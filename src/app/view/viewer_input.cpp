@@ -31,11 +31,21 @@ void Viewer::handleEvents() {
   for (const InputEvent& event : input_.take()) {
     wakeFrames_ = 3;
     switch (event.kind) {
-      case InputEvent::Kind::kKey: handleKey(event); break;
-      case InputEvent::Kind::kButton: handleButton(event); break;
-      case InputEvent::Kind::kMove: handleMove(event); break;
-      case InputEvent::Kind::kWheel: handleWheel(event); break;
-      case InputEvent::Kind::kFocusLost: drag_ = Drag::kNone; break;
+      case InputEvent::Kind::kKey:
+        handleKey(event);
+        break;
+      case InputEvent::Kind::kButton:
+        handleButton(event);
+        break;
+      case InputEvent::Kind::kMove:
+        handleMove(event);
+        break;
+      case InputEvent::Kind::kWheel:
+        handleWheel(event);
+        break;
+      case InputEvent::Kind::kFocusLost:
+        drag_ = Drag::kNone;
+        break;
       case InputEvent::Kind::kDrop:
         for (const std::filesystem::path& file : expandFolders(event.files))
           open(file);
@@ -66,9 +76,9 @@ void Viewer::handleButton(const InputEvent& event) {
   for (std::size_t i = 0; i < documents_.size(); ++i)
     if (region(i).holds(event.at)) state_.current = i;
   const Region where = region(state_.current);
-  const bool onDivider = state_.split && !state_.flicker &&
-                         std::abs(event.at.x - where.x - state_.divider * where.width) <
-                             kDividerPixels * interface_.scale();
+  const bool onDivider =
+      state_.split && !state_.flicker &&
+      std::abs(event.at.x - where.x - state_.divider * where.width) < kDividerPixels * interface_.scale();
   dragFrom_ = event.at;
   dragged_ = false;
   if (event.code == GLFW_MOUSE_BUTTON_RIGHT) drag_ = Drag::kLook;
@@ -117,7 +127,8 @@ void Viewer::flyByKeys(double seconds) {
   const glm::vec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
   if (direction == glm::vec3(0.0F)) return;
   const float diagonal = std::max(current()->boundsWorld().diagonal(), 1e-3F);
-  movePose(moved(currentPose(), static_cast<float>(seconds) * kFlightShare * diagonal * state_.settings.speed * direction));
+  movePose(
+      moved(currentPose(), static_cast<float>(seconds) * kFlightShare * diagonal * state_.settings.speed * direction));
 }
 
 scene::Camera Viewer::currentCamera() {
@@ -163,8 +174,8 @@ void Viewer::cycle(const char* option, int step) {
   const auto count = static_cast<int>(choice.names.size());
   Configuration& configuration = state_.configurations[0];
   const RenderOptions before = configuration.wanted;
-  const auto at = static_cast<int>(std::find(choice.names.begin(), choice.names.end(), choice.of(configuration.wanted)) -
-                                   choice.names.begin());
+  const auto at = static_cast<int>(
+      std::find(choice.names.begin(), choice.names.end(), choice.of(configuration.wanted)) - choice.names.begin());
   // The next one that goes with the other options.
   for (int i = 1; i <= count; ++i) {
     configuration.wanted = before;
@@ -225,12 +236,21 @@ void Viewer::select(std::size_t document, int side, std::uint32_t object) {
 void Viewer::act(Action action) {
   Document* document = current();
   switch (action) {
-    case Action::kHelp: state_.help = !state_.help; return;
-    case Action::kPanel: state_.settings.panel = !state_.settings.panel; return;
-    case Action::kGraph: state_.settings.graph = !state_.settings.graph; return;
-    case Action::kNextView: return cycle("--view", 1);
-    case Action::kPreviousView: return cycle("--view", -1);
-    case Action::kNextMode: return cycle("--mode", 1);
+    case Action::kHelp:
+      state_.help = !state_.help;
+      return;
+    case Action::kPanel:
+      state_.settings.panel = !state_.settings.panel;
+      return;
+    case Action::kGraph:
+      state_.settings.graph = !state_.settings.graph;
+      return;
+    case Action::kNextView:
+      return cycle("--view", 1);
+    case Action::kPreviousView:
+      return cycle("--view", -1);
+    case Action::kNextMode:
+      return cycle("--mode", 1);
     case Action::kBoxes:
       state_.configurations[0].wanted.frameOptions.boxes ^= true;
       state_.configurations[0].update();
@@ -242,16 +262,26 @@ void Viewer::act(Action action) {
       state_.configurations[0].update();
       return touch();
     }
-    case Action::kSplit: state_.split = !state_.split; return touch();
-    case Action::kFlicker: state_.flicker = !state_.flicker; return touch();
+    case Action::kSplit:
+      state_.split = !state_.split;
+      return touch();
+    case Action::kFlicker:
+      state_.flicker = !state_.flicker;
+      return touch();
     case Action::kDeselect:
       state_.selection.reset();
       state_.inspection.reset();
       return;
-    case Action::kQuit: quit_ = true; return;
-    case Action::kScreenshot: return screenshot(/*withInterface=*/false);
-    case Action::kScreenshotInterface: screenshotSoon_ = true; return;
-    default: break;
+    case Action::kQuit:
+      quit_ = true;
+      return;
+    case Action::kScreenshot:
+      return screenshot(/*withInterface=*/false);
+    case Action::kScreenshotInterface:
+      screenshotSoon_ = true;
+      return;
+    default:
+      break;
   }
   if (document == nullptr) return;
   switch (action) {
@@ -265,7 +295,8 @@ void Viewer::act(Action action) {
       const Aabb box = state_.inspection ? state_.inspection->boundsWorld : document->boundsWorld();
       return movePose(framed(currentPose(), box, camera.fovY, where.width / where.height));
     }
-    case Action::kFreeze: return freezeOrThaw();
+    case Action::kFreeze:
+      return freezeOrThaw();
     case Action::kPlay:
       if (document->pathFrames() == 0) return say("the file has no camera path: record one, or name one");
       state_.playing = !state_.playing;
@@ -280,7 +311,8 @@ void Viewer::act(Action action) {
     case Action::kCopyCommand:
       glfwSetClipboardString(window_.handle(), command(0).c_str());
       return say("copied: " + command(0));
-    default: return;
+    default:
+      return;
   }
 }
 
