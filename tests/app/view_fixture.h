@@ -107,6 +107,7 @@ class ViewTest : public testing::Test {
     try {
       window_.emplace(platform::WindowOptions{kWidth, kHeight, "jalousie test", true, true});
     } catch (const Error& error) {
+      EXPECT_EQ(std::getenv("DISPLAY"), nullptr) << "there is a display: " << error.what();
       return false;
     }
     log_.emplace();
