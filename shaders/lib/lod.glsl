@@ -86,39 +86,43 @@ uint stepTowards(uint last, uint lowest, uint highest) {
   return last < lowest ? last + 1u : last > highest ? last - 1u : last;
 }
 
-/// Levels that follow a budget calmly: they keep while they fit within kHysteresis, change by one, and fade. What no
+/// Levels that follow a budget calmly: they keep while they fit within the hysteresis, change by one, and fade. What no
 /// pixel shows need not fade.
 void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share, bool seen, ObjectState last,
                   inout ObjectState state, inout uint mark) {
   float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
   float budget = tau * relaxed;
   state.tessellation =
-      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * kHysteresis, cullView.maxTessellation),
-                  pixelErrorTessellation(patchPixels, budget / kHysteresis, cullView.maxTessellation));
+      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * cullView.hysteresis, cullView.maxTessellation),
+                  pixelErrorTessellation(patchPixels, budget / cullView.hysteresis, cullView.maxTessellation));
   state.lod = last.lod;
-  if (seen && fadeFrames(mark) > 1u) {
-    mark -= 1u << kMarkFadeShift;
+  uint left = min(fadeFrames(mark), cullView.fadeFrames + 1u);  // fewer may be wanted than when the fade began
+  if (seen && left > 1u) {
+    mark = (mark & kMarkFromCoarser) | (mark & ~kMarkFadeMask) | ((left - 1u) << kMarkFadeShift);
     return;
   }
   mark &= ~kMarkFadeMask;
-  uint finest = relaxedLod(chain, pixelsPerUnit, tau / kHysteresis, relaxed, share);
-  uint coarsest = max(finest, relaxedLod(chain, pixelsPerUnit, tau * kHysteresis, relaxed, share));
+  uint finest = relaxedLod(chain, pixelsPerUnit, tau / cullView.hysteresis, relaxed, share);
+  uint coarsest = max(finest, relaxedLod(chain, pixelsPerUnit, tau * cullView.hysteresis, relaxed, share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && cullView.detail == kDetailDiscrete)
-    mark |= (kFadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
+  if (seen && state.lod != last.lod && cullView.detail == kDetailDiscrete && cullView.fadeFrames > 0u)
+    mark |= (cullView.fadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
 }
 
 /// Detail of an object under the view's rule. @param seen  whether a pixel of the last frame showed it, or nobody knows
 /// @param last  of the frame before, where mark says kMarkKnown or kMarkRemembered
 void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
+  bool follows = cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError;
+  bool calm = follows && (mark & kMarkRemembered) != 0u;
+  if (!calm) mark &= ~kMarkFadeMask;  // a fade that began in calm frames ends with them
   if (cullView.lodRule == kLodLinear) {
     state.lod = linearLod(state.lv, chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
-  } else if (cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError) {
+  } else if (follows) {
     float relaxed = cullView.lodRule == kLodLvError ? relaxedBudget(state.lv, cullView.relax) : 1.0;
     float share = visibleShare(state.lv);
-    if ((mark & kMarkRemembered) != 0u) {
+    if (calm) {
       followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), max(share, kLeastCalmShare), seen,
                    last, state, mark);
     } else {

@@ -14,7 +14,6 @@ vec3 coverTint(uint view, uint cover) {
 /// Colour that a debug view gives to one object.
 vec3 viewTint(uint objectId) {
   ObjectState state = states[objectId];
-  if (drawView.view == kViewLines) return vec3(0.0);
   if (drawView.view == kViewGhost) return ghostColor(state.verdict);
   if (drawView.view == kViewCoverage || drawView.view == kViewHoles)
     return coverTint(drawView.view, boxes[objectId].cover);
@@ -24,14 +23,15 @@ vec3 viewTint(uint objectId) {
   float coarseness = drawView.detail == kDetailTessellation
                          ? float(drawView.maxTessellation - state.tessellation) / float(max(drawView.maxTessellation, 2u) - 1u)
                          : float(state.lod) / float(max(lodCount, 2u) - 1u);
-  return lodColor(state.verdict == kVerdictOccluder, coarseness);
+  vec3 color = lodColor(state.verdict == kVerdictOccluder, coarseness);
+  return drawView.view == kViewLines ? lineColor(color) : color;
 }
 
 /// Share of the pixels that a level in a cross-fade has: positive if it comes, negative if it goes; 0: no fade.
 float fadeShare(uint entry) {
   if ((entry & (kInstanceFadingIn | kInstanceFadingOut)) == 0u) return 0.0;
   uint frames = marks[entry & kInstanceObject] >> kMarkFadeShift;
-  float coming = float(kFadeFrames + 1u - frames) / float(kFadeFrames + 1u);
+  float coming = float(drawView.fadeFrames + 1u - frames) / float(drawView.fadeFrames + 1u);
   return (entry & kInstanceFadingIn) != 0u ? coming : coming - 1.0;
 }
 

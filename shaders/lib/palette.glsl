@@ -12,6 +12,9 @@ vec3 phaseColor(uint verdict, uint mark) {
   return (mark & kMarkEarly) != 0u ? vec3(0.32, 0.36, 0.40) : vec3(0.95, 0.38, 0.02);
 }
 
+/// Lines over a surface of that colour: what stands out from it. Linear RGB.
+vec3 lineColor(vec3 surface) { return dot(surface, vec3(0.2126, 0.7152, 0.0722)) < 0.18 ? vec3(0.5) : vec3(0.0); }
+
 /// What was culled, by the reason: hidden magenta, too small yellow, out of the frustum grey-blue. Linear RGB.
 vec3 ghostColor(uint verdict) {
   if (verdict == kVerdictOccluded) return vec3(0.90, 0.05, 0.45);

@@ -57,9 +57,13 @@ struct CullView {
   uint calm;               // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
   uint countsValid;        // 1: the pixels of the last frame were counted
   uint measureCover;       // 1: analyse.comp fills ScreenBox.cover, for the views
+  float hysteresis;        // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
+  uint fadeFrames;         // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
+  uint reserved0;
   uint reserved1;
+  uint reserved2;
 };
-JAL_ASSERT_SIZE(CullView, 176)
+JAL_ASSERT_SIZE(CullView, 192)
 
 /// One draw list; std140 uniform block, written once.
 struct ListView {
@@ -111,8 +115,12 @@ struct DrawView {
   uint viewportHeight;
   uint maxTessellation;    // as in CullView; scales the colours of kViewLod
   float depthGuard;        // share of its distance by which the occlusion pass moves a surface away from the eye
+  uint fadeFrames;         // as in CullView
+  uint reserved0;
+  uint reserved1;
+  uint reserved2;
 };
-JAL_ASSERT_SIZE(DrawView, 128)
+JAL_ASSERT_SIZE(DrawView, 144)
 
 // Verdicts. kVerdictOutside, kVerdictOccluded and kVerdictSmall are not drawn, all others are.
 const uint kVerdictOutside = 0u;    // outside the frustum

@@ -41,19 +41,20 @@ const float kSilhouetteShare = 0.5;
 const float kPixelGuard = 4.0;
 
 // Calm (docs/lod_selection.md).
-/// A level stays while its error is at most the budget times this, and the next coarser one's is above the budget
-/// divided by it.
-const float kHysteresis = 2.0;
-/// A calm budget is relaxed by at most the width of that margin: what nobody sees then has a level that it need not leave
-/// when it comes into sight.
-const float kMostCalmRelaxed = 4.0;           // kHysteresis^2
+/// A level stays while its error is at most the budget times CullView.hysteresis, and the next coarser one's is above
+/// the budget divided by it. The usual margin.
+const float kDefaultHysteresis = 2.0;
+/// A calm budget is relaxed by at most the width of the usual margin: what nobody sees then has a level that it need not
+/// leave when it comes into sight.
+const float kMostCalmRelaxed = 4.0;         // kDefaultHysteresis^2
 const float kLeastCalmShare = 1.0 / 256.0;  // kMostCalmRelaxed^-4
 /// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
 /// and when it goes out of it.
 const float kSmoothAppearing = 0.25;
 const float kSmoothHiding = 0.03125;
-/// Frames of a cross-fade.
-const uint kFadeFrames = 8u;
+/// Frames of a cross-fade: the usual ones, and how many the marks have room for.
+const uint kDefaultFadeFrames = 8u;
+const uint kMaxFadeFrames = 15u;
 /// The overlap test looks at most this many levels below LOM (thesis 3.4).
 const uint kMaxDescent = 2u;
 

@@ -14,11 +14,17 @@ namespace {
 
 using Options = RenderOptions;
 
+/// A bound that says nothing to people.
+constexpr double kEndless = 1e6;
+
 bool drawsMap(const Options& o) {
   return o.mode == "hom" || o.mode == "hom-depth";
 }
 bool followsError(const Options& o) {
   return o.lod == "pixel-error" || o.lod == "lv-error";
+}
+bool isCalm(const Options& o) {
+  return followsError(o) && o.frameOptions.calm;
 }
 bool usesLv(const Options& o) {
   return o.lod == "linear" || o.lod == "lv-error" || o.view == "lv";
@@ -89,6 +95,13 @@ std::vector<RenderOption> detailRows() {
        "picture; without it they follow from the view alone",
        OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.calm; }},
        "--lod pixel-error or lv-error", followsError},
+      {"--hysteresis", "hysteresis", "times tau",
+       "A calm level stays while tau times and tau over this allow it; 1 = no margin", OptionGroup::kDetail,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.hysteresis; }, 1.0F, 16.0F}, "--calm", isCalm},
+      {"--fade", "cross-fade", "frames", "How long a calm level fades into the next one; 0 = it switches at once",
+       OptionGroup::kDetail,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.fadeFrames; }, 0, gpu::kMaxFadeFrames},
+       "--calm", isCalm},
       {"--detail", "detail path", "", "discrete = LOD chain, tessellation = Phong patches over the coarsest level",
        OptionGroup::kDetail,
        ChoiceValue{[](Options& o) -> std::string& { return o.detail; }, {"discrete", "tessellation"}}},
@@ -230,13 +243,24 @@ void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptio
         },
         help);
   };
+  // The type says what may be given; the checks need not say it again.
+  const auto number = [](CLI::Option* of, auto least, auto most, const char* endless) {
+    const auto from = static_cast<double>(least);
+    const auto to = static_cast<double>(most);
+    return of->check(inRange(from, to).description(""))
+        ->type_name(to < kEndless ? fmt::format("{:g}..{:g}", from, to) : std::string(endless));
+  };
   CLI::Option* added = std::visit(
       Overloaded{
-          [&](const ChoiceValue& v) { return add(v, std::string())->check(CLI::IsMember(v.names)); },
-          [&](const NumberValue& v) { return add(v, float())->check(inRange(v.least, v.most)); },
-          [&](const MaybeNumberValue& v) { return add(v, float())->check(inRange(v.least, v.most)); },
-          [&](const CountValue& v) { return add(v, std::uint32_t())->check(CLI::Range(v.least, v.most)); },
-          [&](const MaybeCountValue& v) { return add(v, std::uint32_t())->check(CLI::Range(v.least, v.most)); },
+          [&](const ChoiceValue& v) {
+            return add(v, std::string())
+                ->check(CLI::IsMember(v.names).description(""))
+                ->type_name(fmt::format("{}", fmt::join(v.names, "|")));
+          },
+          [&](const NumberValue& v) { return number(add(v, float()), v.least, v.most, "NUMBER"); },
+          [&](const MaybeNumberValue& v) { return number(add(v, float()), v.least, v.most, "NUMBER"); },
+          [&](const CountValue& v) { return number(add(v, std::uint32_t()), v.least, v.most, "COUNT"); },
+          [&](const MaybeCountValue& v) { return number(add(v, std::uint32_t()), v.least, v.most, "COUNT"); },
           [&](const FlagValue& v) { return command.add_flag(option.name, v.of(options), help); },
           [&](const FileValue& v) { return add(v, std::string())->type_name(v.type); },
       },

@@ -21,7 +21,8 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--json", options.json, "Write statistics as JSON; - for standard output")->type_name("STATS");
   command
       .add_option("--repeat", options.repeat, "Render N times after one warm-up and report median times; 1: no warm-up")
-      ->check(CLI::Range(1U, 10000U))
+      ->check(inRange(1, 10000).description(""))
+      ->type_name("N")
       ->capture_default_str();
   command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
   command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
@@ -67,11 +68,15 @@ void checkOutput(const RenderOptions& o) {
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--path", options.path, "glTF whose camera path --frame follows [the scene's own]")
       ->type_name("PATH.glb");
-  command.add_option("--frame", options.frame, "Frame of the camera path, 30 a second")->check(CLI::NonNegativeNumber);
+  const CLI::Validator notNegative = inRange(0.0, 1e9).description("");
+  command.add_option("--frame", options.frame, "Frame of the camera path, 30 a second")
+      ->check(notNegative)
+      ->type_name("FRAME");
   addPoint(command, "--eye", options.eye, "Camera position, world units; needs --look");
   addPoint(command, "--look", options.look, "Point the camera looks at");
   command.add_option("--freeze-frame", options.freezeFrame, "Cull from this frame's camera, draw from the other one")
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative)
+      ->type_name("FRAME");
   addPoint(command, "--freeze-eye", options.freezeEye,
            "Cull from this position, draw from the other camera; needs --freeze-look");
   addPoint(command, "--freeze-look", options.freezeLook, "Point the frozen culling camera looks at");

@@ -130,6 +130,8 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   cullView_.lvMeasure = options.lvMeasure;
   cullView_.relax = options.relax;
   cullView_.calm = options.calm ? 1 : 0;
+  cullView_.hysteresis = options.hysteresis;
+  cullView_.fadeFrames = std::min(options.fadeFrames, gpu::kMaxFadeFrames);
   cullView_.measureCover = options.view == gpu::kViewCoverage || options.view == gpu::kViewHoles ? 1 : 0;
   const bool wantsCounts = cullView_.analyse != 0 && options.lvMeasure == gpu::kLvPixels;
   counting_ = wantsCounts && countAge_ + 1 >= kCountInterval;
@@ -147,6 +149,7 @@ void FrameRenderer::setViews(const FrameOptions& options, const scene::Camera& c
   drawView_.viewportWidth = width_;
   drawView_.viewportHeight = height_;
   drawView_.depthGuard = 0.0F;
+  drawView_.fadeFrames = cullView_.fadeFrames;
 }
 
 void FrameRenderer::buildList(visibility::DrawList& list, const char* name) {

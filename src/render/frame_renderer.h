@@ -39,6 +39,8 @@ struct FrameOptions {
   /// For what moves: levels keep within a margin of the budget, change one at a time and are cross-faded, and LV is
   /// smoothed. Off, levels follow from the frame (and with kLvPixels from the last count) alone: for captures.
   bool calm = false;
+  float hysteresis = gpu::kDefaultHysteresis;      ///< calm: a level stays while tau times and over this allow it; >= 1
+  gpu::uint fadeFrames = gpu::kDefaultFadeFrames;  ///< calm: frames of a cross-fade, <= kMaxFadeFrames; 0: none
   /// Objects whose rectangle covers fewer pixels are not drawn; 0: all are.
   float minPixels = 0.0F;
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.

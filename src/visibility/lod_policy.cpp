@@ -100,22 +100,23 @@ void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
                   const Budget& budget, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
                   gpu::uint& marks) {
   const float whole = budget.tau * budget.relaxed;
-  state.tessellation = stepTowards(last.tessellation,
-                                   pixelErrorTessellation(patchPixels, whole * gpu::kHysteresis, view.maxTessellation),
-                                   pixelErrorTessellation(patchPixels, whole / gpu::kHysteresis, view.maxTessellation));
+  state.tessellation =
+      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, whole * view.hysteresis, view.maxTessellation),
+                  pixelErrorTessellation(patchPixels, whole / view.hysteresis, view.maxTessellation));
   state.lod = last.lod;
-  if (seen && fadeFrames(marks) > 1) {
-    marks -= 1U << gpu::kMarkFadeShift;
+  const gpu::uint left = std::min(fadeFrames(marks), view.fadeFrames + 1);
+  if (seen && left > 1) {
+    marks = (marks & gpu::kMarkFromCoarser) | (marks & ~gpu::kMarkFadeMask) | (left - 1) << gpu::kMarkFadeShift;
     return;
   }
   marks &= ~gpu::kMarkFadeMask;
   const std::uint32_t finest =
-      relaxedLod(levels, pixelsPerUnit, budget.tau / gpu::kHysteresis, budget.relaxed, budget.share);
+      relaxedLod(levels, pixelsPerUnit, budget.tau / view.hysteresis, budget.relaxed, budget.share);
   const std::uint32_t coarsest =
-      std::max(finest, relaxedLod(levels, pixelsPerUnit, budget.tau * gpu::kHysteresis, budget.relaxed, budget.share));
+      std::max(finest, relaxedLod(levels, pixelsPerUnit, budget.tau * view.hysteresis, budget.relaxed, budget.share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : std::clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && view.detail == gpu::kDetailDiscrete)
-    marks |= (gpu::kFadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
+  if (seen && state.lod != last.lod && view.detail == gpu::kDetailDiscrete && view.fadeFrames > 0)
+    marks |= (view.fadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
 }
 
 }  // namespace
@@ -123,14 +124,17 @@ void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
                   const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
                   gpu::uint& marks) {
+  const bool follows = view.lodRule == gpu::kLodPixelError || view.lodRule == gpu::kLodLvError;
+  const bool calm = follows && (marks & gpu::kMarkRemembered) != 0;
+  if (!calm) marks &= ~gpu::kMarkFadeMask;
   if (view.lodRule == gpu::kLodLinear) {
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
-  } else if (view.lodRule == gpu::kLodPixelError || view.lodRule == gpu::kLodLvError) {
+  } else if (follows) {
     const float relaxed = view.lodRule == gpu::kLodLvError ? relaxedBudget(state.lv, view.relax) : 1.0F;
     const float share = visibleShare(state.lv);
     const float patchPixels = patchError * box.pixelsPerUnit;
-    if ((marks & gpu::kMarkRemembered) != 0) {
+    if (calm) {
       followBudget(view, levels, patchPixels, box.pixelsPerUnit,
                    {box.tau, std::min(relaxed, gpu::kMostCalmRelaxed), std::max(share, gpu::kLeastCalmShare)}, seen,
                    last, state, marks);

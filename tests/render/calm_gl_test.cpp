@@ -142,13 +142,14 @@ TEST_F(FadeGl, AFadeBetweenLevelsThatLookAlikeChangesNoPixel) {
         renderer.render(options(0.001F, mode), camera, camera);
       const ImageRgba8 image = renderer.readImage();
       const std::uint64_t triangles = renderer.readStatistics().triangles;
-      for (gpu::uint frame = 0; frame <= gpu::kFadeFrames; ++frame) {
+      for (gpu::uint frame = 0; frame <= gpu::kDefaultFadeFrames; ++frame) {
         renderer.render(options(100.0F, mode), camera, camera);
         const FrameStatistics statistics = renderer.readStatistics();
         EXPECT_EQ(renderer.readImage().pixels, image.pixels) << "mode " << mode << " frame " << frame;
-        EXPECT_EQ(statistics.fading, frame < gpu::kFadeFrames ? 4U : 0U);
+        EXPECT_EQ(statistics.fading, frame < gpu::kDefaultFadeFrames ? 4U : 0U);
         EXPECT_EQ(statistics.switches, frame == 0 ? 4U : 0U);
-        EXPECT_EQ(statistics.triangles, frame < gpu::kFadeFrames ? 2 * triangles : triangles) << "both levels count";
+        EXPECT_EQ(statistics.triangles, frame < gpu::kDefaultFadeFrames ? 2 * triangles : triangles)
+            << "both levels count";
         EXPECT_EQ(statistics.dropped, 0U);
       }
     }
@@ -171,12 +172,42 @@ TEST_F(FadeGl, EachFrameGivesANinthOfThePixelsToTheNewLevel) {
   renderer.resetHistory();
   renderer.render(options(0.001F, gpu::kCullHiz), camera, camera);
   ASSERT_EQ(blue(), 0.0);
-  for (gpu::uint frame = 1; frame <= gpu::kFadeFrames; ++frame) {
+  for (gpu::uint frame = 1; frame <= gpu::kDefaultFadeFrames; ++frame) {
     renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
-    EXPECT_NEAR(blue() / all, frame / (gpu::kFadeFrames + 1.0), 0.05) << "frame " << frame;
+    EXPECT_NEAR(blue() / all, frame / (gpu::kDefaultFadeFrames + 1.0), 0.05) << "frame " << frame;
   }
   renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
   EXPECT_EQ(blue(), all);
+}
+
+TEST_F(FadeGl, AFadeIsAsLongAsItIsToldAndEndsWhereCalmEnds) {
+  const scene::SceneData scene = twins(true);
+  const scene::Camera camera = scene::lookAt({0, 0, 7}, {0, 0, 0}, scene.boundsWorld);
+  for (const gpu::uint frames : {0U, 3U, gpu::kMaxFadeFrames}) {
+    FrameRenderer renderer(scene, kWidth, kHeight);
+    const auto fadingAfter = [&](FrameOptions next) {
+      next.fadeFrames = frames;
+      renderer.render(next, camera, camera);
+      return renderer.readStatistics().fading;
+    };
+    for (int i = 0; i < 3; ++i)
+      fadingAfter(options(0.001F, gpu::kCullHiz));
+    for (gpu::uint frame = 0; frame <= frames; ++frame)
+      EXPECT_EQ(fadingAfter(options(100.0F, gpu::kCullHiz)), frame < frames ? 4U : 0U) << frames << " " << frame;
+  }
+  FrameRenderer renderer(scene, kWidth, kHeight);
+  for (int i = 0; i < 3; ++i)
+    renderer.render(options(0.001F, gpu::kCullHiz), camera, camera);
+  renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
+  ASSERT_GT(renderer.readStatistics().fading, 0U);
+  FrameOptions plain = options(100.0F, gpu::kCullHiz);
+  plain.calm = false;
+  renderer.render(plain, camera, camera);
+  EXPECT_EQ(renderer.readStatistics().fading, 0U);
+  const ImageRgba8 image = renderer.readImage();
+  renderer.resetHistory();
+  renderer.render(plain, camera, camera);
+  EXPECT_EQ(renderer.readImage().pixels, image.pixels) << "nothing is left of the fade";
 }
 
 class CalmGl : public test::GlTest {

@@ -143,6 +143,8 @@ struct CalmObject {
     view.detail = detail;
     view.maxTessellation = 20;
     view.calm = 1;
+    view.hysteresis = gpu::kDefaultHysteresis;
+    view.fadeFrames = gpu::kDefaultFadeFrames;
     box.pixelsPerUnit = 1.0F;
     marks = gpu::kMarkKnown | gpu::kMarkRemembered;
   }
@@ -163,7 +165,7 @@ struct CalmObject {
 };
 
 TEST(Calm, AnErrorWithinTheMarginKeepsTheLevel) {
-  const float margin = gpu::kHysteresis;
+  const float margin = gpu::kDefaultHysteresis;
   CalmObject object;  // at level 2, whose error is 2 pixels; the next one's is 4
   for (const float tau : {2.0F, 1.01F * 2.0F / margin, 0.99F * 4.0F * margin, 1.01F * 2.0F / margin}) {
     object.frame(tau);
@@ -182,7 +184,7 @@ TEST(Calm, OneLevelAStepAndNoOtherWhileItFades) {
   CalmObject object;
   std::vector<std::uint32_t> lods;
   std::vector<std::uint32_t> frames;
-  for (std::uint32_t i = 0; i < 2 * gpu::kFadeFrames + 1; ++i) {
+  for (std::uint32_t i = 0; i < 2 * gpu::kDefaultFadeFrames + 1; ++i) {
     object.frame(100.0F);
     lods.push_back(object.state.lod);
     frames.push_back(fadeFrames(object.marks));
@@ -190,16 +192,49 @@ TEST(Calm, OneLevelAStepAndNoOtherWhileItFades) {
       EXPECT_EQ(fadingLod(object.state.lod, object.marks), object.state.lod - 1);
     }
   }
-  for (std::uint32_t i = 0; i < gpu::kFadeFrames; ++i) {
+  for (std::uint32_t i = 0; i < gpu::kDefaultFadeFrames; ++i) {
     EXPECT_EQ(lods[i], 3U);
-    EXPECT_EQ(frames[i], gpu::kFadeFrames - i);
-    EXPECT_EQ(lods[gpu::kFadeFrames + i], 4U);
+    EXPECT_EQ(frames[i], gpu::kDefaultFadeFrames - i);
+    EXPECT_EQ(lods[gpu::kDefaultFadeFrames + i], 4U);
   }
   EXPECT_EQ(lods.back(), 4U);
   EXPECT_EQ(frames.back(), 0U);
   object.frame(0.0F);
   EXPECT_EQ(object.state.lod, 3U);
   EXPECT_EQ(fadingLod(object.state.lod, object.marks), 4U) << "finer: the coarser level goes";
+}
+
+TEST(Calm, TheMarginAndTheFadeAreTheViews) {
+  CalmObject object;
+  object.view.hysteresis = 1.0F;
+  object.frame(4.0F);  // exactly the error of the next level
+  EXPECT_EQ(object.state.lod, 3U);
+  object.view.fadeFrames = 3;
+  object.frame(4.0F);
+  EXPECT_EQ(fadeFrames(object.marks), 3U) << "a fade that runs is shortened";
+  object.view.fadeFrames = 0;
+  object.frame(4.0F);
+  EXPECT_EQ(fadeFrames(object.marks), 0U) << "and ended";
+  object.frame(8.0F);
+  EXPECT_EQ(object.state.lod, 4U);
+  EXPECT_EQ(fadeFrames(object.marks), 0U) << "no fade: the level switches at once";
+  CalmObject wide;
+  wide.view.hysteresis = 4.0F;
+  wide.frame(3.9F * 4.0F);
+  EXPECT_EQ(wide.state.lod, 2U);
+}
+
+TEST(Calm, AFadeEndsWithTheCalmFrames) {
+  for (const gpu::uint rule : {gpu::kLodFinest, gpu::kLodLinear, gpu::kLodPixelError, gpu::kLodLvError}) {
+    CalmObject object;
+    object.frame(100.0F);
+    ASSERT_GT(fadeFrames(object.marks), 0U);
+    object.view.lodRule = rule;
+    gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
+    gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
+    chooseDetail(object.view, object.levels, 40.0F, object.box, true, object.state, next, marks);
+    EXPECT_EQ(fadeFrames(marks), 0U) << "rule " << rule;
+  }
 }
 
 TEST(Calm, WhatNobodySeesGoesStraightToItsLevel) {

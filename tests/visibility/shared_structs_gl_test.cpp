@@ -116,7 +116,11 @@ const std::map<std::string, Layout>& expectedLayouts() {
          JAL_FIELD("CullViewBlock.", CullView, calm),
          JAL_FIELD("CullViewBlock.", CullView, countsValid),
          JAL_FIELD("CullViewBlock.", CullView, measureCover),
-         JAL_FIELD("CullViewBlock.", CullView, reserved1)}}},
+         JAL_FIELD("CullViewBlock.", CullView, hysteresis),
+         JAL_FIELD("CullViewBlock.", CullView, fadeFrames),
+         JAL_FIELD("CullViewBlock.", CullView, reserved0),
+         JAL_FIELD("CullViewBlock.", CullView, reserved1),
+         JAL_FIELD("CullViewBlock.", CullView, reserved2)}}},
       {"ListViewBlock",
        {0,
         {JAL_FIELD("ListViewBlock.", ListView, phase), JAL_FIELD("ListViewBlock.", ListView, tileCount),
@@ -136,7 +140,9 @@ const std::map<std::string, Layout>& expectedLayouts() {
          JAL_FIELD("DrawViewBlock.", DrawView, detail), JAL_FIELD("DrawViewBlock.", DrawView, mapLevel),
          JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha), JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth),
          JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, maxTessellation),
-         JAL_FIELD("DrawViewBlock.", DrawView, depthGuard)}}},
+         JAL_FIELD("DrawViewBlock.", DrawView, depthGuard), JAL_FIELD("DrawViewBlock.", DrawView, fadeFrames),
+         JAL_FIELD("DrawViewBlock.", DrawView, reserved0), JAL_FIELD("DrawViewBlock.", DrawView, reserved1),
+         JAL_FIELD("DrawViewBlock.", DrawView, reserved2)}}},
   };
   return kLayouts;
 }

@@ -53,6 +53,8 @@ gpu::CullView makeView(const SceneData& scene, const scene::Camera& camera, Scre
   view.maxTessellation = gpu::kMaxTessellationLevel;
   view.focalPixels = scene::focalPixels(camera, size.height);
   view.tau = 1.0F;
+  view.hysteresis = gpu::kDefaultHysteresis;
+  view.fadeFrames = gpu::kDefaultFadeFrames;
   return view;
 }
 
@@ -106,7 +108,7 @@ void compareClassification(const SceneData& scene, const gpu::CullView& view,
     if (random.below(2) == 0) last[i].marks |= gpu::kMarkCounted;
     if (random.below(2) == 0) last[i].marks |= gpu::kMarkCalm;
     if (random.below(2) == 0) last[i].marks |= gpu::kMarkMeasured;
-    const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kFadeFrames + 1) : 0;
+    const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kDefaultFadeFrames + 1) : 0;
     const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
     if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
     last[i].pixels = random.below(3) == 0 ? 0 : random.below(1U << random.below(16));
@@ -218,6 +220,11 @@ TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
           view.calm = calm;
           compareClassification(scene, view);
           compareClassification(scene, view, nullptr, false);
+          view.hysteresis = 1.3F;
+          for (const gpu::uint frames : {0U, 3U, gpu::kMaxFadeFrames}) {
+            view.fadeFrames = frames;
+            compareClassification(scene, view);
+          }
         }
       }
     }
@@ -541,8 +548,8 @@ class DrawListGl : public test::GlTest {
       if (chain.lodCount == 1 || random.below(3) > 0) continue;
       const gpu::uint lod = input.states.back().lod;
       const bool fromCoarser = lod == 0 || (lod + 1 < chain.lodCount && random.below(2) == 0);
-      input.marks.back() |=
-          (1 + random.below(gpu::kFadeFrames)) << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
+      input.marks.back() |= (1 + random.below(gpu::kDefaultFadeFrames)) << gpu::kMarkFadeShift |
+                            (fromCoarser ? gpu::kMarkFromCoarser : 0);
     }
     return input;
   }
