@@ -62,6 +62,10 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", JALOUSIE_VERSION);
   program.require_subcommand(1);
   program.get_formatter()->column_width(32);
+  program.footer(
+      "Exit codes: 0 done, 2 command line, 3 file not found, 4 cannot be read, 5 malformed, 6 not supported, 7 over a "
+      "limit,\n8 cannot be written, 9 no OpenGL 4.5 or no display, 10 a shader does not build, 70 a defect, 130 "
+      "interrupted. A failure is\none line on standard error; what was there before is intact.");
   Options options;
   options.compare.command = toRepeat(argc, argv);
   addRenderOptions(*program.add_subcommand("render", "Render one frame, headless"), options.render);

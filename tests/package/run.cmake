@@ -14,3 +14,9 @@ run(${CMAKE_COMMAND} -G Ninja -S "${SOURCE}" -B "${WORK}/build" -DCMAKE_BUILD_TY
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/outside")
 run("${WORK}/prefix/bin/jalousie-bake" --help)
+foreach(file applications/jalousie.desktop icons/hicolor/scalable/apps/jalousie.svg icons/hicolor/48x48/apps/jalousie.png
+    man/man1/jalousie.1 man/man1/jalousie-view.1 man/man1/jalousie-bake.1 man/man1/jalousie-scatter.1)
+  if(NOT EXISTS "${WORK}/prefix/share/${file}")
+    message(FATAL_ERROR "not installed: share/${file}")
+  endif()
+endforeach()
