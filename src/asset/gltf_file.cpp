@@ -79,7 +79,11 @@ Parts splitGlb(std::span<const std::byte> bytes, const Path& file) {
 
 Parts split(std::span<const std::byte> bytes, const Path& file) {
   if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) return splitGlb(bytes, file);
-  return {asText(bytes), std::nullopt};
+  const std::string_view text = asText(bytes);
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first == std::string_view::npos || text[first] != '{')
+    throw Error(ErrorCode::kMalformed, "neither glTF nor GLB (jalousie-bake makes GLB of PLY and OBJ)", file);
+  return {text, std::nullopt};
 }
 
 /// What tinygltf asks for through its callbacks, in place of the files a document names.

@@ -213,8 +213,8 @@ class SceneReader {
 
 }  // namespace
 
-SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits) {
-  return readScene(loadGltf(path, limits), path, limits);
+SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits, const ReadObserver& observer) {
+  return readScene(loadGltf(path, limits, observer), path, limits);
 }
 
 SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {

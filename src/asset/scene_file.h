@@ -90,7 +90,8 @@ struct SceneFile {
 /// Reads the default scene (or scene 0, or all root nodes) of a glTF or GLB file. Nodes listed only in MSFT_lod are
 /// levels, not instances. CUBICSPLINE tracks are read at their keys, STEP is kept linear-free by doubling keys. Errors:
 /// as loadGltf; kMalformed for NaN or infinite positions and transforms; kLimit.
-SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {});
+SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {},
+                        const ReadObserver& observer = {});
 /// As readSceneFile, for a document that is loaded already. @param path  where it comes from, for messages
 SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
 

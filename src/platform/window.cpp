@@ -26,11 +26,15 @@ Window::Window(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
+  // What desktops find the program's entry by.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "jalousie");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "jalousie");
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   window_ = glfwCreateWindow(static_cast<int>(options.width), static_cast<int>(options.height), options.title.c_str(),
                              nullptr, nullptr);
   if (window_ == nullptr) fail("cannot open a window with OpenGL 4.5");
   glfwMakeContextCurrent(window_);
+  glfwSwapInterval(options.waitsForDisplay ? 1 : 0);
   try {
     capabilities_ = gl::queryCapabilities();
   } catch (...) {

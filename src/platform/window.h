@@ -15,7 +15,8 @@ struct WindowOptions {
   std::uint32_t height = 720;
   std::string title = "jalousie";
   bool visible = true;
-  bool debug = false;  ///< a debug context, whose messages gl::DebugLog collects
+  bool debug = false;            ///< a debug context, whose messages gl::DebugLog collects
+  bool waitsForDisplay = false;  ///< glfwSwapInterval(1): no more frames than the display shows
 };
 
 /// Opens a window and makes its context current; closes it when destroyed. One at a time, on the main thread.

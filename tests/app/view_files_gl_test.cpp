@@ -86,6 +86,119 @@ TEST_F(ViewFiles, WatchedFilesAreReadAgain) {
   expectHeadlessEqual("read again");
 }
 
+TEST_F(ViewFiles, WhatAFileNamesIsWatchedToo) {
+  tinygltf::Model model = asset::loadGltf(scene());
+  tinygltf::TinyGLTF writer;
+  const fs::path text = folder_ / "scene.gltf";
+  model.buffers[0].uri = "scene.bin";
+  ASSERT_TRUE(writer.WriteGltfSceneToFile(&model, text.string(), false, false, true, false));
+  ASSERT_TRUE(fs::exists(folder_ / "scene.bin"));
+  app::ViewOptions options;
+  options.files = {text};
+  options.watch = true;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  ASSERT_EQ(viewer_->document(0).error(), "");
+  const auto bytes = fs::file_size(folder_ / "scene.bin");
+  fs::resize_file(folder_ / "scene.bin", bytes / 2);
+  EXPECT_TRUE(waitFor([&] { return !viewer_->document(0).error().empty(); }));
+  EXPECT_NE(viewer_->document(0).side(0), nullptr) << "the last good scene stays";
+  model = asset::loadGltf(scene());
+  model.buffers[0].uri = "scene.bin";
+  ASSERT_TRUE(writer.WriteGltfSceneToFile(&model, text.string(), false, false, true, false));
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).error().empty(); }));
+  settle();
+  expectHeadlessEqual("from two files");
+}
+
+TEST_F(ViewFiles, ABrokenShaderAtTheStartIsMendedLater) {
+  const fs::path shaders = folder_ / "shaders";
+  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - exp(", "return vec3(1.0) - nonsense(");
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.shaders = shaders;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  EXPECT_NE(viewer_->document(0).error().find("shading.glsl"), std::string::npos) << viewer_->document(0).error();
+  EXPECT_EQ(viewer_->document(0).side(0), nullptr);
+  log_->clear();  // the compiler's own complaint
+  replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - nonsense(", "return vec3(1.0) - exp(");
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).side(0) != nullptr; }));
+  EXPECT_EQ(viewer_->document(0).error(), "");
+  settle();
+  expectHeadlessEqual("mended");
+}
+
+TEST_F(ViewFiles, ClosingAndOpeningAgain) {
+  test::writeSpheres(folder_ / "other.glb", 2);
+  app::ViewOptions options;
+  options.files = {scene(), folder_ / "other.glb"};
+  if (!open(options)) GTEST_SKIP() << "no display";
+  ASSERT_EQ(viewer_->documentCount(), 2U);
+  xdotool("mousemove 160 205 click 1");
+  settle();
+  EXPECT_TRUE(state().selection.has_value());
+  key("ctrl+w");
+  ASSERT_EQ(viewer_->documentCount(), 1U);
+  EXPECT_EQ(viewer_->document(0).file(), folder_ / "other.glb");
+  EXPECT_FALSE(state().selection.has_value());
+  expectHeadlessEqual("alone");
+  key("ctrl+w");
+  EXPECT_EQ(viewer_->documentCount(), 0U);
+  for (const char* keys : {"ctrl+w", "f", "r", "c", "space", "ctrl+r", "v", "m", "b", "F12", "ctrl+c", "1", "ctrl+1"})
+    key(keys);
+  EXPECT_FALSE(state().recording) << "there is no camera to record";
+}
+
+TEST_F(ViewFiles, NothingIsLostWhenTheWindowCloses) {
+  if (!openScene()) GTEST_SKIP() << "no display";
+  key("ctrl+4");
+  EXPECT_TRUE(fs::exists(folder_ / "config/jalousie/view.json")) << "bookmarks are kept at once";
+  xdotool("key ctrl+r");
+  xdotool("mousemove 300 200");
+  xdotool("mousedown 1");
+  xdotool("mousemove 330 200");
+  xdotool("mouseup 1");
+  glfwSetWindowSize(window_->handle(), 500, 300);
+  for (int i = 0; i < 10; ++i)
+    viewer_->step();
+  viewer_->finish();
+  EXPECT_TRUE(fs::exists(folder_ / "jalousie-path-0001.glb")) << "a recording that runs is saved";
+  const app::ViewSettings settings = app::loadSettings(app::settingsFolder());
+  EXPECT_EQ(settings.width, 500U);
+  EXPECT_EQ(settings.height, 300U);
+  EXPECT_TRUE(settings.bookmarks.at(fs::absolute(scene()).string())[3].has_value());
+}
+
+TEST_F(ViewFiles, WhatCannotBeWrittenIsSaid) {
+  app::ViewOptions options;
+  options.files = {scene()};
+  if (!open(options)) GTEST_SKIP() << "no display";
+  fs::remove_all(folder_ / "config");
+  std::ofstream(folder_ / "config") << "a file where the folder was";
+  key("ctrl+2");
+  EXPECT_NE(state().message.find("config"), std::string::npos) << state().message;
+  key("F1");
+  EXPECT_TRUE(state().help) << "and the window lives on";
+}
+
+TEST_F(ViewFiles, PanelTakesThePointerAndChangesThePicture) {
+  app::ViewOptions options;
+  options.files = {scene()};
+  if (!open(options, /*interface=*/true)) GTEST_SKIP() << "no display";
+  ASSERT_TRUE(state().settings.panel);
+  drag(1, 100, 300, 200, 330);
+  EXPECT_FALSE(viewer_->document(0).camera.pose.has_value()) << "a drag over the panel turns nothing";
+  // The check box of the rectangles is the first below the view and the map's level.
+  for (int y = 145; y < 190 && !state().configurations[0].active.frameOptions.boxes; y += 5) {
+    xdotool("mousemove 26 " + std::to_string(y));
+    xdotool("mousedown 1");
+    xdotool("mouseup 1");
+  }
+  EXPECT_TRUE(state().configurations[0].active.frameOptions.boxes);
+  settle();
+  expectHeadlessEqual("with rectangles");
+}
+
 TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
   const fs::path shaders = folder_ / "shaders";
   fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -50,6 +51,28 @@ TEST(Navigation, MovingKeepsTheDirection) {
   EXPECT_NEAR(glm::length(moved(start, {0, 0, 2}).eye - start.eye), 2.0F, kClose);
   EXPECT_LT(glm::length(zoomed(start, 1.0F).eye - start.look), glm::length(start.eye - start.look));
   expectClose(zoomed(zoomed(start, 2.0F), -2.0F).eye, start.eye);
+}
+
+TEST(Navigation, NoZoomLosesTheDirection) {
+  for (const glm::vec3 look : {glm::vec3(0.0F), glm::vec3(1.0F, 0, -1.0F), glm::vec3(1e5F, 3, 1e5F)}) {
+    for (const float step : {1.0F, -1.0F, 40.0F, -40.0F}) {
+      Pose pose{look + glm::vec3(2, 1, 4), look};
+      for (int i = 0; i < 2000; ++i) {
+        pose = zoomed(pose, step);
+        ASSERT_TRUE(isUsable(pose)) << "zoom " << i << " by " << step;
+      }
+      EXPECT_TRUE(isUsable(zoomed(pose, -step)));
+      EXPECT_TRUE(isUsable(orbited(pose, 0.1F, 0.1F)));
+    }
+  }
+}
+
+TEST(Navigation, PosesThatNoCameraCanHaveAreKnown) {
+  EXPECT_TRUE(isUsable({{0, 0, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(isUsable({{1, 2, 3}, {1, 2, 3}}));
+  EXPECT_FALSE(isUsable({{NAN, 0, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(isUsable({{0, 0, 1}, {0, INFINITY, 0}}));
+  EXPECT_FALSE(isUsable({{3e38F, 0, 1}, {-3e38F, 0, 0}}));
 }
 
 TEST(Navigation, FramedBoxIsInView) {
@@ -102,6 +125,7 @@ TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
        {"", "--tau 0.3333333 --relax 7", "--mode hom --lod linear --lv coverage --cull-threshold 0.95",
         "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
         "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
+        "--calm --hysteresis 1.5 --fade 3",
         "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
     const RenderOptions options = parsed(text);
     const std::string written = methodOptions(options);
@@ -145,6 +169,14 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   std::ofstream(folder / "deep/er/view.json") << "{\"speed\": \"fast\", \"bookmarks\": 3";
   EXPECT_EQ(loadSettings(folder / "deep/er").speed, 1.0F);
   EXPECT_EQ(loadSettings(folder / "nowhere").speed, 1.0F);
+  std::ofstream(folder / "deep/er/view.json")
+      << R"({"speed": 1e30, "width": 0, "height": 4000000000, "bookmarks": {"/a.glb": {"0": [1,1,1,1,1,1], "1": [0,0,1,0,0,0], "77": [0,0,1,0,0,0]}}})";
+  const ViewSettings wild = loadSettings(folder / "deep/er");
+  EXPECT_EQ(wild.speed, kMostSpeed);
+  EXPECT_GE(wild.width, 1U);
+  EXPECT_LE(wild.height, 16384U);
+  EXPECT_FALSE(wild.bookmarks.at("/a.glb")[0].has_value()) << "an eye in its own target is no place";
+  EXPECT_TRUE(wild.bookmarks.at("/a.glb")[1].has_value());
 }
 
 TEST(FileWatch, ReportsAChangeOnceItIsOver) {
@@ -160,6 +192,24 @@ TEST(FileWatch, ReportsAChangeOnceItIsOver) {
   std::ofstream(folder / "b.txt") << "new";
   EXPECT_FALSE(all.changed());
   EXPECT_TRUE(all.changed());
+}
+
+TEST(FileWatch, FilesThatComeIntoViewAreNoChange) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.txt", "b.txt"})
+    std::ofstream(folder / name) << "one";
+  FileWatch watch(folder / "a.txt");
+  std::ofstream(folder / "a.txt") << "changed meanwhile";
+  watch.watch({folder / "a.txt", folder / "b.txt", folder / "not there.txt"});
+  EXPECT_FALSE(watch.changed());
+  EXPECT_TRUE(watch.changed()) << "what was watched before is compared with what was known of it";
+  std::ofstream(folder / "b.txt") << "longer";
+  EXPECT_FALSE(watch.changed());
+  EXPECT_TRUE(watch.changed());
+  std::ofstream(folder / "not there.txt") << "now";
+  EXPECT_FALSE(watch.changed());
+  EXPECT_TRUE(watch.changed());
+  EXPECT_FALSE(watch.changed());
 }
 
 TEST(ViewOptions, FoldersStandForTheirFiles) {

@@ -29,6 +29,7 @@ std::span<const Binding> bindings() {
       {Action::kScreenshotInterface, GLFW_KEY_F12, GLFW_MOD_SHIFT, "Shift+F12", "screenshot with the interface"},
       {Action::kCopyCommand, GLFW_KEY_C, GLFW_MOD_CONTROL, "Ctrl+C", "copy the command line of this picture"},
       {Action::kDeselect, GLFW_KEY_ESCAPE, 0, "Escape", "select nothing"},
+      {Action::kClose, GLFW_KEY_W, GLFW_MOD_CONTROL, "Ctrl+W", "close the current file"},
       {Action::kQuit, GLFW_KEY_Q, GLFW_MOD_CONTROL, "Ctrl+Q", "leave"},
   };
   return kBindings;

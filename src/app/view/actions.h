@@ -26,6 +26,7 @@ enum class Action {
   kScreenshotInterface,
   kCopyCommand,
   kDeselect,
+  kClose,
   kQuit,
 };
 

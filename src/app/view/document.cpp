@@ -5,17 +5,21 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
+#include <set>
 
 #include "asset/image_io.h"
 #include "core/error.h"
+#include "core/file.h"
 
 namespace jalousie::app {
 namespace {
 
 /// What a renderer is made for, as a text that differs when another one is needed.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}", options.detail == "tessellation", options.draws, options.coreOnly,
-                     options.rendererOptions.capacity.value_or(0), options.importance.string());
+  return fmt::format("{}|{}|{}|{}|{}x{}|{}", options.detail == "tessellation", options.draws, options.coreOnly,
+                     options.rendererOptions.capacity.value_or(0), options.width, options.height,
+                     options.importance.string());
 }
 
 }  // namespace
@@ -62,22 +66,36 @@ void CameraChoice::applyTo(RenderOptions& options) const {
 }
 
 Document::Document(std::filesystem::path file, const CameraChoice& choice)
-    : camera(choice), file_(std::move(file)), watch_(file_) {
-  load();
-}
+    : camera(choice), file_(std::move(file)), watch_(file_) {}
 
-void Document::load() {
-  error_.clear();
-  failedFor_.clear();
+void Document::read() {
+  std::set<std::filesystem::path> files = {file_};
+  const auto watchThem = [&] { watch_.watch({files.begin(), files.end()}); };
   try {
-    asset::SceneFile read = asset::readSceneFile(file_);
+    asset::SceneFile read = asset::readSceneFile(
+        file_, {}, [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
+    watchThem();
     const scene::SceneData flat = scene::buildScene(read);
     boundsWorld_ = flat.boundsWorld;
     scene_ = std::move(read);
-    for (std::unique_ptr<Side>& side : sides_)
-      side.reset();
+  } catch (...) {
+    watchThem();
+    throw;
+  }
+  for (std::unique_ptr<Side>& side : sides_)
+    side.reset();
+}
+
+void Document::load() {
+  wasLoaded_ = true;
+  error_.clear();
+  failedFor_.clear();
+  try {
+    read();
   } catch (const Error& error) {
     fail(error);
+  } catch (const std::bad_alloc&) {
+    fail(Error(ErrorCode::kLimit, "out of memory", file_));
   }
   loadPath();
 }
@@ -105,24 +123,32 @@ void Document::loadPath() {
 Side* Document::prepare(int index, const RenderOptions& options) {
   std::unique_ptr<Side>& side = sides_[static_cast<std::size_t>(index)];
   if (!scene_) return nullptr;
-  if (side == nullptr || !side->fits(options)) {
-    const std::string key = keyOf(options);
-    if (failedFor_ == key) return side.get();
-    try {
+  const std::string key = keyOf(options);
+  if (failedFor_ == key) return side.get();
+  const auto failed = [&](const Error& error) {
+    fail(error);
+    failedFor_ = key;
+    if (side != nullptr && side->fits(options)) side.reset();  // half resized
+    return side.get();
+  };
+  try {
+    if (side == nullptr || !side->fits(options)) {
       side = std::make_unique<Side>(*scene_, options);
       if (!failedFor_.empty()) error_.clear();
       failedFor_.clear();
-    } catch (const Error& error) {
-      fail(error);
-      failedFor_ = key;
-      return side.get();
     }
+    side->resize(options.width, options.height);
+  } catch (const Error& error) {
+    return failed(error);
+  } catch (const std::bad_alloc&) {
+    return failed(Error(ErrorCode::kLimit, "out of memory", file_));
   }
-  side->resize(options.width, options.height);
   return side.get();
 }
 
 std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
+  if (!failedFor_.empty()) error_.clear();
+  failedFor_.clear();
   try {
     std::array<std::unique_ptr<Side>, kSides> fresh;
     for (std::size_t i = 0; i < kSides; ++i)

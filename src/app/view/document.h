@@ -60,12 +60,15 @@ class Document {
  public:
   static constexpr int kSides = 2;
 
+  /// Reads nothing yet.
   Document(std::filesystem::path file, const CameraChoice& camera);
 
   const std::filesystem::path& file() const { return file_; }
   /// Reads the file. On failure the scene that was there stays.
   void load();
-  /// As FileWatch::changed of the file.
+  /// Whether load() was called.
+  bool wasLoaded() const { return wasLoaded_; }
+  /// As FileWatch::changed of the file and of what it names.
   bool changedOnDisk() { return watch_.changed(); }
   /// Reads the camera path of camera.path, or the scene's own.
   void loadPath();
@@ -93,9 +96,11 @@ class Document {
     error_ = error.what();
     errorCode_ = error.code();
   }
+  void read();
 
   std::filesystem::path file_;
   FileWatch watch_;
+  bool wasLoaded_ = false;
   std::optional<asset::SceneFile> scene_;
   Aabb boundsWorld_;
   std::vector<asset::Camera> path_;

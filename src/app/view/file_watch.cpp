@@ -3,21 +3,32 @@
 
 namespace jalousie::app {
 
-FileWatch::FileWatch(std::filesystem::path path) : path_(std::move(path)), reported_(look()), last_(reported_) {}
+void FileWatch::watch(std::vector<std::filesystem::path> paths) {
+  paths_ = std::move(paths);
+  Stamps now = look();
+  for (auto& [file, stamp] : now)
+    if (const auto known = reported_.find(file); known != reported_.end()) stamp = known->second;
+  reported_ = now;
+  last_ = std::move(now);
+}
 
 FileWatch::Stamps FileWatch::look() const {
   namespace fs = std::filesystem;
   Stamps stamps;
   std::error_code failed;
   const auto add = [&](const fs::path& file) {
-    const Stamp stamp{fs::last_write_time(file, failed), fs::file_size(file, failed)};
-    if (!failed) stamps[file] = stamp;
+    std::error_code missing;
+    const auto time = fs::last_write_time(file, missing);
+    const std::uintmax_t size = missing ? 0 : fs::file_size(file, missing);
+    if (!missing) stamps[file] = {time, size};
   };
-  if (fs::is_directory(path_, failed)) {
-    for (auto it = fs::recursive_directory_iterator(path_, failed); !failed && it != fs::end(it); it.increment(failed))
+  for (const fs::path& path : paths_) {
+    if (!fs::is_directory(path, failed)) {
+      add(path);
+      continue;
+    }
+    for (auto it = fs::recursive_directory_iterator(path, failed); !failed && it != fs::end(it); it.increment(failed))
       if (it->is_regular_file(failed)) add(it->path());
-  } else if (!path_.empty()) {
-    add(path_);
   }
   return stamps;
 }

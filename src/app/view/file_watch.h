@@ -4,14 +4,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <vector>
 
 namespace jalousie::app {
 
-/// Looks at a file, or at every file of a folder and below. What is asked for is remembered between calls.
+/// Looks at files, and at every file of a folder and below. What is asked for is remembered between calls.
 class FileWatch {
  public:
   FileWatch() = default;
-  explicit FileWatch(std::filesystem::path path);
+  explicit FileWatch(const std::filesystem::path& path) { watch({path}); }
+
+  /// From now on these. What was watched already keeps what is known of it; what is new counts as it is now.
+  void watch(std::vector<std::filesystem::path> paths);
 
   /// Whether anything differs from the last call (or the constructor), and has stayed the same since the call before:
   /// a file that is still being written is not reported yet.
@@ -26,7 +30,7 @@ class FileWatch {
   using Stamps = std::map<std::filesystem::path, Stamp>;
   Stamps look() const;
 
-  std::filesystem::path path_;
+  std::vector<std::filesystem::path> paths_;
   Stamps reported_;
   Stamps last_;
 };

@@ -29,6 +29,7 @@ float displayScale(GLFWwindow* window) {
 
 void loadFont(float scale) {
   ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
   for (const char* font : kFonts)
     if (std::filesystem::exists(font) && io.Fonts->AddFontFromFileTTF(font, kFontPixels * scale) != nullptr) return;
   ImFontConfig config;
@@ -37,8 +38,9 @@ void loadFont(float scale) {
 }
 
 void style(float scale) {
-  ImGui::StyleColorsDark();
   ImGuiStyle& s = ImGui::GetStyle();
+  s = ImGuiStyle();
+  ImGui::StyleColorsDark();
   s.WindowRounding = 5.0F;
   s.FrameRounding = 3.0F;
   s.GrabRounding = 3.0F;
@@ -48,20 +50,39 @@ void style(float scale) {
   s.ScaleAllSizes(scale);
 }
 
+/// From the window's screen coordinates, where these are not pixels, to pixels: overlays share their frame with
+/// pictures.
+void usePixels() {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 pixels = io.DisplayFramebufferScale;
+  if (pixels.x <= 0.0F || pixels.y <= 0.0F) return;
+  io.DisplaySize = {io.DisplaySize.x * pixels.x, io.DisplaySize.y * pixels.y};
+  io.DisplayFramebufferScale = {1.0F, 1.0F};
+  if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {io.MousePos.x * pixels.x, io.MousePos.y * pixels.y};
+}
+
 }  // namespace
 
 Interface::Interface(GLFWwindow* window, float scale, const std::string& layout)
-    : scale_(scale > 0.0F ? scale : displayScale(window)) {
+    : window_(window), followsDisplay_(scale <= 0.0F) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
-  loadFont(scale_);
-  style(scale_);
   if (!layout.empty()) ImGui::LoadIniSettingsFromMemory(layout.c_str(), layout.size());
   if (!ImGui_ImplGlfw_InitForOpenGL(window, true) || !ImGui_ImplOpenGL3_Init("#version 450 core"))
     throw Error(ErrorCode::kShader, "the interface cannot be drawn with this OpenGL");
+  useScale(followsDisplay_ ? displayScale(window) : scale);
+}
+
+void Interface::useScale(float scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  loadFont(scale);
+  style(scale);
+  // The backend makes the font's texture once, with its other objects: they are made anew in the next frame.
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }
 
 Interface::~Interface() {
@@ -71,8 +92,10 @@ Interface::~Interface() {
 }
 
 void Interface::begin() {
+  if (followsDisplay_) useScale(displayScale(window_));
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  usePixels();
   ImGui::NewFrame();
 }
 

@@ -7,10 +7,11 @@ struct GLFWwindow;
 
 namespace jalousie::app {
 
-/// One at a time. Keeps nothing on disk.
+/// One at a time. Keeps nothing on disk. Its unit is the pixel of the framebuffer, whatever the window's own is.
 class Interface {
  public:
-  /// @param scale  of everything; 0: the display's   @param layout  as layout() returned it once; may be empty
+  /// @param scale  of everything; 0: the display's, also when the window moves to another one   @param layout  as
+  /// layout() returned it once; may be empty
   Interface(GLFWwindow* window, float scale, const std::string& layout);
   ~Interface();
   Interface(const Interface&) = delete;
@@ -27,7 +28,11 @@ class Interface {
   std::string layout() const;
 
  private:
-  float scale_;
+  void useScale(float scale);
+
+  GLFWwindow* window_;
+  bool followsDisplay_;
+  float scale_ = 0.0F;  ///< not yet
 };
 
 }  // namespace jalousie::app

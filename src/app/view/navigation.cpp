@@ -9,6 +9,9 @@ namespace {
 
 constexpr float kMostPitch = 1.553F;  // 89 degrees: the poles have no side
 constexpr float kZoomPerStep = 0.85F;
+/// Of the target's coordinates: some hundred units in their last place.
+constexpr float kLeastDistance = 1e-4F;
+constexpr float kMostDistance = 1e12F;  // world units
 
 struct Angles {
   float yaw, pitch;
@@ -42,6 +45,13 @@ Frame frameOf(const Pose& pose) {
 }
 
 }  // namespace
+
+bool isUsable(const Pose& pose) {
+  for (glm::length_t k = 0; k < 3; ++k)
+    if (!std::isfinite(pose.eye[k]) || !std::isfinite(pose.look[k])) return false;
+  const float distance = glm::length(pose.eye - pose.look);
+  return distance > 0.0F && std::isfinite(distance);
+}
 
 Pose poseOf(const scene::Camera& camera, float distance) {
   const glm::vec3 eye = camera.positionWorld();
@@ -77,7 +87,13 @@ Pose panned(const Pose& pose, float right, float up, float focalPixels) {
 }
 
 Pose zoomed(const Pose& pose, float steps) {
-  return {pose.look + std::pow(kZoomPerStep, steps) * (pose.eye - pose.look), pose.look};
+  const glm::vec3 away = pose.eye - pose.look;
+  const float distance = glm::length(away);
+  const glm::vec3 size = glm::abs(pose.look);
+  const float least = std::min(kLeastDistance * std::max({size.x, size.y, size.z, 1e-3F}), distance);
+  const float most = std::max(kMostDistance, distance);
+  const float wanted = std::clamp(distance * std::pow(kZoomPerStep, steps), least, most);
+  return {pose.look + wanted / distance * away, pose.look};
 }
 
 Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect) {

@@ -14,6 +14,9 @@ struct Pose {
   glm::vec3 look{0.0F};
 };
 
+/// Whether a camera can stand there: all finite, eye and target apart.
+bool isUsable(const Pose& pose);
+
 /// The pose of a camera, with its target at a distance. Loses a roll.
 Pose poseOf(const scene::Camera& camera, float distance);
 
@@ -29,7 +32,8 @@ Pose moved(const Pose& pose, const glm::vec3& step);
 /// Moves eye and target in the plane of the picture, so that the target follows the pointer.
 /// @param right, up  pixels   @param focalPixels  of the camera
 Pose panned(const Pose& pose, float right, float up, float focalPixels);
-/// Comes nearer to the target by a factor per step of the wheel.
+/// Comes nearer to the target by a factor per step of the wheel, never so near or far that eye and target are lost to
+/// rounding.
 Pose zoomed(const Pose& pose, float steps);
 /// Looks at a box from the same side, so that its bounding sphere fills the view. @param fovY  radians
 Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect);

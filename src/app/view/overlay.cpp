@@ -228,12 +228,15 @@ void drawSelection(const Region& region, const Inspection& inspection, const sce
 
 void drawLegend(const Region& region, const RenderOptions& options) {
   const std::string& view = options.view;
-  if (view == "lod" || view == "wireframe")
-    drawSwatches(region, view == "lod" ? "level" : "triangles by level",
-                 {{bytesOf({0.005F, 0.02F, 0.35F}), "fine"},
-                  {bytesOf({0.55F, 0.85F, 1.0F}), "coarse"},
-                  {bytesOf({0.55F, 0.02F, 0.02F}), "occluder, fine"},
-                  {bytesOf({1.0F, 0.45F, 0.40F}), "coarse"}});
+  if (view == "lod" || view == "wireframe") {
+    std::vector<Swatch> swatches = {{bytesOf({0.005F, 0.02F, 0.35F}), "fine"},
+                                    {bytesOf({0.55F, 0.85F, 1.0F}), "coarse"}};
+    if (options.mode == "hom" || options.mode == "hom-depth") {
+      swatches.push_back({bytesOf({0.55F, 0.02F, 0.02F}), "occluder, fine"});
+      swatches.push_back({bytesOf({1.0F, 0.45F, 0.40F}), "coarse"});
+    }
+    drawSwatches(region, view == "lod" ? "level" : "triangles by level", swatches);
+  }
   if (view == "lv")
     drawScale(region, fmt::format("level of visibility ({})", options.lv),
               {{0.0F, "-1 open"}, {0.5F, "0"}, {1.0F, "1 hidden"}});

@@ -137,11 +137,14 @@ void drawConfigurations(ViewState& state, PanelResult& result) {
 
 bool editPose(const char* eye, const char* look, std::optional<Pose>& pose) {
   if (!pose) return false;
-  bool changed = ImGui::DragFloat3(eye, &pose->eye.x, 0.01F, 0.0F, 0.0F, "%.4g");
+  Pose edited = *pose;
+  bool changed = ImGui::DragFloat3(eye, &edited.eye.x, 0.01F, 0.0F, 0.0F, "%.4g");
   tooltip("Where the camera is; world units");
-  changed |= ImGui::DragFloat3(look, &pose->look.x, 0.01F, 0.0F, 0.0F, "%.4g");
+  changed |= ImGui::DragFloat3(look, &edited.look.x, 0.01F, 0.0F, 0.0F, "%.4g");
   tooltip("Point the camera looks at; world units");
-  return changed && pose->eye != pose->look;
+  if (!changed || !isUsable(edited)) return false;
+  pose = edited;
+  return true;
 }
 
 void drawPathWidgets(ViewState& state, Document& document, PanelResult& result) {
@@ -178,7 +181,7 @@ void drawCamera(ViewState& state, Document* document, PanelResult& result) {
   button("Reset", Action::kReset, result, "The camera of the start (R)");
   ImGui::SameLine();
   button("Frame", Action::kFrame, result, "The selected object, or the whole scene, fills the view (F)");
-  ImGui::SliderFloat("speed", &state.settings.speed, 0.01F, 100.0F, "%.2f", ImGuiSliderFlags_Logarithmic);
+  ImGui::SliderFloat("speed", &state.settings.speed, kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic);
   tooltip("Of flying; 1: a tenth of the scene's diagonal a second");
   ImGui::Checkbox("move all files' cameras together", &state.linked);
 }

@@ -1,6 +1,7 @@
 // One JSON file.
 #include "app/view/settings.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -19,15 +20,19 @@ nlohmann::json poseJson(const Pose& pose) {
   return {pose.eye.x, pose.eye.y, pose.eye.z, pose.look.x, pose.look.y, pose.look.z};
 }
 
-Pose poseFrom(const nlohmann::json& json) {
+std::optional<Pose> poseFrom(const nlohmann::json& json) {
   const auto n = json.get<std::array<float, 6>>();
-  return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  const Pose pose{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  return isUsable(pose) ? std::optional(pose) : std::nullopt;
 }
 
 void read(const nlohmann::json& root, ViewSettings& settings) {
   settings.panel = root.value("panel", settings.panel);
   settings.graph = root.value("graph", settings.graph);
   settings.speed = root.value("speed", settings.speed);
+  settings.speed = std::clamp(settings.speed, kLeastSpeed, kMostSpeed);
+  settings.width = std::clamp(root.value("width", settings.width), 64U, 16384U);
+  settings.height = std::clamp(root.value("height", settings.height), 64U, 16384U);
   settings.layout = root.value("layout", settings.layout);
   const nlohmann::json all = root.value("bookmarks", nlohmann::json::object());
   for (const auto& [file, marks] : all.items())
@@ -62,6 +67,8 @@ void saveSettings(const ViewSettings& settings, const std::filesystem::path& fol
   root["panel"] = settings.panel;
   root["graph"] = settings.graph;
   root["speed"] = settings.speed;
+  root["width"] = settings.width;
+  root["height"] = settings.height;
   root["layout"] = settings.layout;
   root["bookmarks"] = nlohmann::ordered_json::object();
   for (const auto& [file, marks] : settings.bookmarks)

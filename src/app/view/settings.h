@@ -15,10 +15,15 @@ namespace jalousie::app {
 inline constexpr std::size_t kBookmarks = 9;
 using Bookmarks = std::array<std::optional<Pose>, kBookmarks>;
 
+inline constexpr float kLeastSpeed = 0.01F;
+inline constexpr float kMostSpeed = 100.0F;
+
 struct ViewSettings {
   bool panel = true;
   bool graph = false;
-  float speed = 1.0F;                          ///< of flying; 1: a tenth of the scene's diagonal a second
+  float speed = 1.0F;          ///< of flying; 1: a tenth of the scene's diagonal a second
+  std::uint32_t width = 1280;  ///< of the window, screen coordinates
+  std::uint32_t height = 720;
   std::string layout;                          ///< the interface library's own text
   std::map<std::string, Bookmarks> bookmarks;  ///< by absolute path of the file
 };

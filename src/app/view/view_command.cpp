@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "app/view/icon.h"
 #include "app/view/viewer.h"
 #include "core/error.h"
 #include "gl/debug_log.h"
@@ -12,14 +13,22 @@
 namespace jalousie::app {
 namespace {
 
-std::string titleOf(const ViewOptions& options) {
-  return options.files.empty() ? "jalousie" : "jalousie - " + options.files.front().filename().string();
+platform::WindowOptions windowOptions(const ViewOptions& options) {
+  platform::WindowOptions window{options.render.width, options.render.height};
+  window.debug = options.debug;
+  window.waitsForDisplay = !options.frames;
+  if (options.sizeGiven || options.frames) return window;
+  const ViewSettings settings = loadSettings(settingsFolder());
+  window.width = settings.width;
+  window.height = settings.height;
+  return window;
 }
 
 }  // namespace
 
 void runView(const ViewOptions& options) {
-  platform::Window window({options.render.width, options.render.height, titleOf(options), true, options.debug});
+  platform::Window window(windowOptions(options));
+  setWindowIcon(window.handle());
   std::optional<gl::DebugLog> log;
   if (options.debug) log.emplace();
   {

@@ -20,14 +20,15 @@ void addWindowOptions(CLI::App& command, ViewOptions& o) {
   command.add_option("--split", o.split, "Options of a second configuration, shown right of a divider")
       ->type_name("OPTIONS");
   command.add_option("--divider", o.divider, "Where the divider is, share of the width")
-      ->check(inRange(0.0, 1.0))
+      ->check(inRange(0.0, 1.0).description(""))
+      ->type_name("0..1")
       ->capture_default_str();
-  command.add_option("--select", o.select, "Inspect this object, counted in the file's order")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("--select", o.select, "Inspect this object, counted in the file's order")->type_name("OBJECT");
   command.add_flag("--play", o.play, "Play the camera path");
   command.add_flag("--watch", o.watch, "Read a file again whenever it changes");
   command.add_option("--scale", o.scale, "Size of the interface; 0: as the display says")
-      ->check(inRange(0.0, 8.0))
+      ->check(inRange(0.0, 8.0).description(""))
+      ->type_name("0..8")
       ->capture_default_str();
   command.add_option("--outputs", o.outputs, "Folder for screenshots and recorded paths [current]")
       ->type_name("FOLDER");
@@ -39,7 +40,7 @@ void addScriptOptions(CLI::App& command, ViewOptions& o) {
   command.add_option("--screenshot", o.screenshot, "Write a picture at the end; alone it means --frames 1")
       ->type_name("OUT.png");
   command.add_option("--frames", o.frames, "Leave after N frames; --play then goes one frame of the path at a time")
-      ->check(CLI::Range(1U, 1000000U))
+      ->check(inRange(1, 1000000).description(""))
       ->type_name("N");
   command.add_flag("--interface", o.withInterface, "The screenshot shows the interface too");
   command.add_option("--json", o.render.json, "Write the figures of the last frames at the end")->type_name("STATS");
@@ -65,6 +66,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   command.add_option("files", options.files, "glTF or GLB files, or folders of them; several stand side by side")
       ->type_name("FILE");
   addCameraOptions(command, options.render);
+  command.get_option("--size")->each([&options](const std::string&) { options.sizeGiven = true; });
   addMethodOptions(command, options.render);
   addPictureOptions(command, options.render);
   addWindowOptions(command, options);
@@ -104,8 +106,8 @@ std::vector<std::filesystem::path> expandFolders(const std::vector<std::filesyst
     std::vector<std::filesystem::path> inside;
     std::error_code failed;
     if (std::filesystem::is_directory(argument, failed))
-      for (const auto& entry : std::filesystem::directory_iterator(argument, failed))
-        if (isScene(entry.path())) inside.push_back(entry.path());
+      for (std::filesystem::directory_iterator it(argument, failed), end; !failed && it != end; it.increment(failed))
+        if (isScene(it->path())) inside.push_back(it->path());
     std::sort(inside.begin(), inside.end());
     if (inside.empty()) inside.push_back(argument);
     files.insert(files.end(), inside.begin(), inside.end());

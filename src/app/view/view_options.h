@@ -32,6 +32,8 @@ struct ViewOptions {
   float scale = 0.0F;             ///< of the interface; 0: the display's
   bool debug = false;             ///< a debug context whose messages of weight become the exit code
 
+  bool sizeGiven = false;  ///< --size was said; else the window is as large as it was last
+
   /// Refuses contradictions. Errors: kUsage.
   void finish();
 };

@@ -19,9 +19,10 @@
 namespace jalousie::app {
 namespace {
 
-/// Until two phases have settled and pixels are counted; and until calm levels have faded in.
+/// Until two phases have settled and pixels are counted; and, with calm, until LV has come to rest: four seconds of a
+/// moving picture (docs/lod_selection.md).
 constexpr std::uint32_t kSettleFrames = 8;
-constexpr std::uint32_t kCalmFrames = 40;
+constexpr std::uint32_t kCalmFrames = 128;
 constexpr double kMessageSeconds = 6.0;
 constexpr double kIdleSeconds = 0.1;
 
@@ -32,11 +33,10 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
       options_(options),
       input_(window.handle()),
       interface_(window.handle(), options.scale,
-                 options.screenshot.empty() ? loadSettings(settingsFolder()).layout : std::string()),
+                 options.frames ? std::string() : loadSettings(settingsFolder()).layout),
       shaderWatch_(options.shaders),
       settingsFolder_(settingsFolder()) {
-  state_.settings = loadSettings(settingsFolder_);
-  if (!options.screenshot.empty()) state_.settings = {};  // a picture does not depend on what was left open
+  if (!options.frames) state_.settings = loadSettings(settingsFolder_);  // a script depends on its options alone
   state_.outputs = options.outputs;
   state_.divider = options.divider;
   state_.playing = options.play;
@@ -50,7 +50,9 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
   for (const std::filesystem::path& file : expandFolders(options.files))
     open(file);
   state_.current = 0;
-  if (options.select && !documents_.empty()) select(0, 0, *options.select);
+  if (options.frames)  // a script wants the scene, not the wait
+    while (loading())
+      loadNext();
   lastStep_ = now();
 }
 
@@ -98,9 +100,19 @@ void Viewer::step() {
   drawInterface();
   canvas_.show();
   glfwSwapBuffers(window_.handle());
+  showTitle();
   if (screenshotSoon_) screenshot(/*withInterface=*/true);
   recordPose();
   ++framesDone_;
+  if (loading()) loadNext();  // the window has said so
+}
+
+void Viewer::showTitle() {
+  const Document* document = current();
+  const std::string title = document == nullptr ? "jalousie" : "jalousie - " + document->file().filename().string();
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(window_.handle(), title.c_str());
 }
 
 void Viewer::layOut() {
@@ -215,6 +227,7 @@ ImageRgba8 Viewer::capture() {
 void Viewer::drawOverlays(std::size_t index) {
   Document& document = *documents_[index];
   const Region where = region(index);
+  if (!document.wasLoaded()) return drawNotice(where, document.file().filename().string(), "reading ...");
   if (!document.error().empty()) {
     drawNotice(where, document.file().filename().string(), document.error());
     if (document.side(0) == nullptr) return;
@@ -278,6 +291,7 @@ void Viewer::drawInterface() {
   if (state_.help) drawHelp(&state_.help);
   canvas_.bind();
   glDisable(GL_FRAMEBUFFER_SRGB);
+  glUseProgram(0);  // the backend puts the program back that it found, and that may have gone with its document
   interface_.end();
   applyPanel(result);
 }
@@ -292,10 +306,13 @@ void Viewer::applyPanel(const PanelResult& result) {
     act(action);
   if (result.resize)
     glfwSetWindowSize(window_.handle(), static_cast<int>(result.resize->x), static_cast<int>(result.resize->y));
-  if (result.saveJson) {
+  if (!result.saveJson) return;
+  attempt([&] {
     const std::filesystem::path& said = state_.configurations[0].wanted.json;
-    writeJson(said.empty() ? freshOutput("jalousie-figures", ".json") : said);
-  }
+    const std::filesystem::path file = said.empty() ? freshOutput("jalousie-figures", ".json") : said;
+    writeJson(file);
+    say(file.string());
+  });
 }
 
 }  // namespace jalousie::app

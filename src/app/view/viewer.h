@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,8 +35,8 @@ class Viewer {
   void step();
   /// The window is closed, or the frames asked for are done.
   bool done() const;
-  /// Nothing moves and everything has settled.
-  bool idle() const { return dirtyFrames_ == 0 && !state_.playing && !state_.recording && !inspectSoon_; }
+  /// Nothing moves, everything is loaded and has settled.
+  bool idle() const { return dirtyFrames_ == 0 && !state_.playing && !state_.recording && !inspectSoon_ && !loading(); }
 
   const ViewState& state() const { return state_; }
   std::size_t documentCount() const { return documents_.size(); }
@@ -61,6 +62,7 @@ class Viewer {
   void drawInterface();
   void drawOverlays(std::size_t index);
   void applyPanel(const PanelResult& result);
+  void showTitle();
   RenderOptions optionsFor(std::size_t document, int side) const;
   bool shows(int side) const;
   double now() const;
@@ -85,10 +87,18 @@ class Viewer {
 
   // viewer_files.cpp
   void open(const std::filesystem::path& file);
+  bool loading() const;
+  /// Reads one file that was opened and not read yet.
+  void loadNext();
+  void closeCurrent();
   void watchFiles();
   void playPath(double seconds);
   void recordPose();
   void stopRecording();
+  void saveRecording();
+  void keepSettings();
+  /// Does something that may fail; then it says why, and the window lives on.
+  void attempt(const std::function<void()>& task);
   void screenshot(bool withInterface);
   void writeJson(const std::filesystem::path& file) const;
   std::filesystem::path freshOutput(const char* stem, const char* extension) const;
@@ -107,6 +117,7 @@ class Viewer {
   std::vector<CameraChoice> starts_;  ///< cameras of the start, by document
   FileWatch shaderWatch_;
   std::filesystem::path settingsFolder_;
+  std::string title_;
 
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/record_command.h"
 #include "app/view/viewer.h"
@@ -38,12 +39,47 @@ void Viewer::open(const std::filesystem::path& file) {
   touch();
 }
 
+bool Viewer::loading() const {
+  return std::any_of(documents_.begin(), documents_.end(), [](const auto& document) { return !document->wasLoaded(); });
+}
+
+void Viewer::loadNext() {
+  for (std::size_t i = 0; i < documents_.size(); ++i) {
+    if (documents_[i]->wasLoaded()) continue;
+    documents_[i]->load();
+    if (i == 0 && options_.select) select(0, 0, *std::exchange(options_.select, std::nullopt));
+    return touch();
+  }
+}
+
+void Viewer::closeCurrent() {
+  if (current() == nullptr) return;
+  if (state_.recording) stopRecording();
+  const auto index = static_cast<std::ptrdiff_t>(state_.current);
+  documents_.erase(documents_.begin() + index);
+  starts_.erase(starts_.begin() + index);
+  state_.current = documents_.empty() ? 0 : std::min(state_.current, documents_.size() - 1);
+  state_.selection.reset();
+  state_.inspection.reset();
+  state_.history.clear();
+  state_.playing = state_.playing && !documents_.empty();
+  touch();
+}
+
+void Viewer::attempt(const std::function<void()>& task) {
+  try {
+    task();
+  } catch (const Error& error) {
+    say(error.what());
+  }
+}
+
 void Viewer::watchFiles() {
   if (now() - lastWatch_ < kWatchSeconds) return;
   lastWatch_ = now();
   if (options_.watch) {
     for (const auto& document : documents_) {
-      if (!document->changedOnDisk()) continue;
+      if (!document->wasLoaded() || !document->changedOnDisk()) continue;
       document->load();
       say(document->error().empty() ? fmt::format("{} was read again", document->file().filename().string())
                                     : document->error());
@@ -93,29 +129,41 @@ void Viewer::recordPose() {
 
 void Viewer::stopRecording() {
   state_.recording = false;
-  try {
-    const std::filesystem::path file = freshOutput("jalousie-path", ".glb");
-    const std::uint32_t frames = savePath(recorded_, currentCamera().fovY, current()->boundsWorld(), file);
-    for (const auto& document : documents_) {
-      document->camera.path = file;
-      document->loadPath();
-    }
-    say(fmt::format("{}: {} frames; Space plays it", file.string(), frames));
-  } catch (const Error& error) {
-    say(error.what());
-  }
+  attempt([&] { saveRecording(); });
   touch();
+}
+
+void Viewer::saveRecording() {
+  if (recorded_.translationTimes.empty()) return say("nothing was recorded");
+  const std::filesystem::path file = freshOutput("jalousie-path", ".glb");
+  const std::uint32_t frames = savePath(recorded_, currentCamera().fovY, current()->boundsWorld(), file);
+  for (const auto& document : documents_) {
+    document->camera.path = file;
+    document->loadPath();
+  }
+  say(fmt::format("{}: {} frames; Space plays it", file.string(), frames));
+}
+
+void Viewer::keepSettings() {
+  if (options_.frames) return;  // a script leaves no traces
+  state_.settings.layout = interface_.layout();
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window_.handle(), &width, &height);
+  if (width > 0 && height > 0) {
+    state_.settings.width = static_cast<std::uint32_t>(width);
+    state_.settings.height = static_cast<std::uint32_t>(height);
+  }
+  saveSettings(state_.settings, settingsFolder_);
 }
 
 void Viewer::screenshot(bool withInterface) {
   screenshotSoon_ = false;
-  try {
+  attempt([&] {
     const std::filesystem::path file = freshOutput("jalousie", ".png");
     asset::savePng(withInterface ? captureWithInterface() : capture(), file);
     say(file.string());
-  } catch (const Error& error) {
-    say(error.what());
-  }
+  });
   if (!withInterface) touch();
 }
 
@@ -132,15 +180,14 @@ void Viewer::writeJson(const std::filesystem::path& file) const {
 }
 
 void Viewer::finish() {
+  if (state_.recording && current() != nullptr) saveRecording();
   if (options_.frames)
     for (const auto& document : documents_)
       if (!document->error().empty()) throw Error(document->errorCode(), document->error());
   if (!options_.screenshot.empty())
     asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot);
   if (!options_.json.empty()) writeJson(options_.json);
-  if (!options_.screenshot.empty()) return;  // a script leaves no traces
-  state_.settings.layout = interface_.layout();
-  saveSettings(state_.settings, settingsFolder_);
+  keepSettings();
 }
 
 }  // namespace jalousie::app

@@ -114,7 +114,8 @@ void Viewer::handleWheel(const InputEvent& event) {
   const bool flying = drag_ == Drag::kLook || std::any_of(std::begin(kFlightKeys), std::end(kFlightKeys),
                                                           [&](int key) { return input_.held(key); });
   if (!flying) return movePose(zoomed(currentPose(), event.at.y));
-  state_.settings.speed = std::clamp(state_.settings.speed * std::pow(kSpeedPerStep, event.at.y), 0.01F, 100.0F);
+  state_.settings.speed =
+      std::clamp(state_.settings.speed * std::pow(kSpeedPerStep, event.at.y), kLeastSpeed, kMostSpeed);
   say(fmt::format("speed {:.2f}", state_.settings.speed));
 }
 
@@ -162,7 +163,8 @@ void Viewer::useBookmark(std::size_t number, bool set) {
   Bookmarks& marks = state_.settings.bookmarks[std::filesystem::absolute(current()->file(), failed).string()];
   if (set) {
     marks[number] = currentPose();
-    return say(fmt::format("bookmark {} set", number + 1));
+    say(fmt::format("bookmark {} set", number + 1));
+    return attempt([&] { keepSettings(); });
   }
   if (!marks[number]) return say(fmt::format("no bookmark {}: Ctrl+{} sets it", number + 1, number + 1));
   movePose(*marks[number]);
@@ -289,6 +291,8 @@ void Viewer::act(Action action) {
       document->camera = starts_[state_.current];
       document->loadPath();
       return touch();
+    case Action::kClose:
+      return closeCurrent();
     case Action::kFrame: {
       const scene::Camera camera = currentCamera();
       const Region where = region(state_.current);
