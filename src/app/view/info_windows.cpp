@@ -54,7 +54,8 @@ void drawBlock(const visibility::AnalysedBlock& block, float side) {
   ImGui::Dummy({side, height});
 }
 
-/// One bar per coefficient with u + v <= 3, up for positive.
+/// One bar per coefficient with u + v <= 3, up for positive; its length goes with the root of the value, or nothing
+/// would be seen beside the first.
 void drawSpectrum(const InspectedBlock& b, float width, float height) {
   struct Bar {
     std::uint32_t u, v;
@@ -75,7 +76,8 @@ void drawSpectrum(const InspectedBlock& b, float width, float height) {
   list.AddLine({origin.x, middle}, {origin.x + width, middle}, kLine);
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const float x = origin.x + step * static_cast<float>(i);
-    const auto length = static_cast<float>(bars[i].value / largest) * (0.5F * height - 1.1F * unit());
+    const auto share = static_cast<float>(std::sqrt(std::abs(bars[i].value) / largest));
+    const float length = std::copysign(share, static_cast<float>(bars[i].value)) * (0.5F * height - 1.1F * unit());
     list.AddRectFilled({x + 0.12F * step, std::min(middle, middle - length)},
                        {x + 0.88F * step, std::max(middle, middle - length) + 1.0F},
                        bars[i].value >= 0.0 ? kPositive : kNegative);
@@ -101,7 +103,7 @@ void drawBlockSection(const Inspection& i, const RenderOptions& options) {
   drawBlock(b.block, 11.0F * unit());
   ImGui::SameLine();
   ImGui::BeginGroup();
-  ImGui::TextDisabled("DCT of opacity - 1/2: F(u,v)");
+  ImGui::TextDisabled("DCT F(u,v), root scale");
   drawSpectrum(b, 15.0F * unit(), 9.5F * unit());
   ImGui::EndGroup();
   if (!ImGui::BeginTable("measures", 4, ImGuiTableFlags_SizingStretchSame)) return;
@@ -180,7 +182,7 @@ void drawPasses(const FrameSample& sample) {
 void drawInspection(const Inspection& i, const RenderOptions& options) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x - 0.6F * unit(), 0.6F * unit()}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
-  ImGui::SetNextWindowSize({29.0F * unit(), std::min(47.0F * unit(), display.y - 1.2F * unit())},
+  ImGui::SetNextWindowSize({29.0F * unit(), std::min(53.0F * unit(), display.y - 1.2F * unit())},
                            ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Object")) {
     const gpu::ScreenBox& box = i.readout.box;

@@ -87,7 +87,7 @@ std::optional<InspectedBlock> inspectBlock(const gpu::ScreenBox& box, render::Fr
 
 std::string whyByError(const Inspection& i, const gpu::CullView& view) {
   const bool relaxes = view.lodRule == gpu::kLodLvError;
-  std::string text = fmt::format("{:.3g} px of error are allowed, which level {} keeps", i.tau, i.finest);
+  std::string text = fmt::format("{:.3g} px of error may show, and level {} keeps within it", i.tau, i.finest);
   if (relaxes && i.relaxed > 1.0F)
     text += fmt::format(". {:.3g} % of it can be seen, so up to {:.3g} px would do, level {}",
                         100.0F * visibility::visibleShare(i.readout.state.lv), i.tau * i.relaxed, i.coarsest);
