@@ -149,6 +149,23 @@ TEST_F(ViewFiles, ClosingAndOpeningAgain) {
   EXPECT_FALSE(state().recording) << "there is no camera to record";
 }
 
+TEST_F(ViewFiles, LikeScenesShareACameraUnlikeOnesDoNot) {
+  test::writeSpheres(folder_ / "same.glb");
+  test::writeSpheres(folder_ / "wide.glb", 25);
+  app::ViewOptions options;
+  options.files = {scene(), folder_ / "same.glb", folder_ / "wide.glb"};
+  if (!open(options)) GTEST_SKIP() << "no display";
+  const auto moved = [&](std::size_t index) { return viewer_->document(index).camera.pose.has_value(); };
+  drag(1, 100, 200, 140, 210);
+  EXPECT_TRUE(moved(0));
+  EXPECT_TRUE(moved(1));
+  EXPECT_FALSE(moved(2));
+  EXPECT_EQ(state().history.samples().back().statistics.objects, 27U);
+  drag(1, 500, 200, 540, 210);
+  EXPECT_TRUE(moved(2));
+  EXPECT_EQ(state().history.samples().front().statistics.objects, 627U) << "the graph is the current file's alone";
+}
+
 TEST_F(ViewFiles, NothingIsLostWhenTheWindowCloses) {
   if (!openScene()) GTEST_SKIP() << "no display";
   key("ctrl+4");

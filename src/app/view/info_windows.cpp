@@ -3,8 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "app/view/overlay.h"
 #include "app/view/panel.h"
@@ -153,27 +155,90 @@ void drawLevels(const Inspection& i) {
   ImGui::EndTable();
 }
 
-void plot(const FrameHistory& history, const char* name, const std::function<double(const FrameSample&)>& value,
-          const std::string& now) {
-  std::vector<float> values;
-  for (const FrameSample& sample : history.samples())
-    values.push_back(static_cast<float>(value(sample)));
-  const float largest = values.empty() ? 1.0F : *std::max_element(values.begin(), values.end());
-  const std::string text = fmt::format("{}: {}", name, now);
-  ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(255, 255, 255, 14));
-  ImGui::PlotLines(fmt::format("##{}", name).c_str(), values.data(), static_cast<int>(values.size()), 0, text.c_str(),
-                   0.0F, 1.1F * std::max(largest, 1e-3F), {ImGui::GetContentRegionAvail().x, 3.4F * unit()});
-  ImGui::PopStyleColor();
+/// Part of a stacked plot.
+struct Layer {
+  ImU32 color;
+  std::function<double(const FrameSample&)> value;
+};
+
+constexpr std::size_t kMostColumns = 240;
+
+/// Heights of the layers in each column, oldest first: the mean of the samples that share one.
+std::vector<std::vector<double>> columnsOf(const FrameHistory& history, const std::vector<Layer>& layers) {
+  const auto& samples = history.samples();
+  const std::size_t count = std::min(samples.size(), kMostColumns);
+  std::vector<std::vector<double>> columns(count, std::vector<double>(layers.size(), 0.0));
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t from = samples.size() * c / count;
+    const std::size_t to = samples.size() * (c + 1) / count;
+    for (std::size_t i = from; i < to; ++i)
+      for (std::size_t k = 0; k < layers.size(); ++k)
+        columns[c][k] += layers[k].value(samples[i]) / static_cast<double>(to - from);
+  }
+  return columns;
 }
 
-void drawPasses(const FrameSample& sample) {
-  double longest = 1e-6;
-  for (const auto& [name, ms] : sample.passes)
-    longest = std::max(longest, ms);
-  for (const auto& [name, ms] : sample.passes) {
-    ImGui::ProgressBar(static_cast<float>(ms / longest), {9.0F * unit(), 0.95F * unit()}, "");
+/// Layers on each other over the frames that are remembered, the newest at the right, and a line of text above.
+void drawPlot(const FrameHistory& history, const std::string& text, const std::vector<Layer>& layers, float height) {
+  ImGui::TextUnformatted(text.c_str());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
+  list.AddRectFilled(origin, {origin.x + width, origin.y + height}, IM_COL32(255, 255, 255, 14));
+  const std::vector<std::vector<double>> columns = columnsOf(history, layers);
+  double largest = 1e-9;
+  for (const std::vector<double>& column : columns)
+    largest = std::max(largest, std::accumulate(column.begin(), column.end(), 0.0));
+  const float step = width / static_cast<float>(columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const float x = origin.x + step * static_cast<float>(c);
+    float bottom = origin.y + height;
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      const float top = bottom - height * static_cast<float>(columns[c][k] / largest);
+      list.AddRectFilled({x, top}, {x + step, bottom}, layers[k].color);
+      bottom = top;
+    }
+  }
+  ImGui::Dummy({width, height});
+}
+
+/// Told apart also by those who see fewer colours: they differ in lightness from one to the next.
+ImU32 passColor(std::size_t pass) {
+  static constexpr std::array kColors = {IM_COL32(68, 119, 170, 255), IM_COL32(238, 221, 136, 255),
+                                         IM_COL32(170, 51, 119, 255), IM_COL32(102, 204, 238, 255),
+                                         IM_COL32(153, 85, 30, 255),  IM_COL32(187, 204, 51, 255),
+                                         IM_COL32(102, 37, 104, 255), IM_COL32(238, 136, 102, 255),
+                                         IM_COL32(34, 136, 51, 255),  IM_COL32(221, 221, 221, 255)};
+  return kColors[pass % kColors.size()];
+}
+
+double passMs(const FrameSample& sample, const std::string& name) {
+  for (const auto& [pass, ms] : sample.passes)
+    if (pass == name) return ms;
+  return 0.0;
+}
+
+/// Every pass that some frame had, in frame order as far as frames agree.
+std::vector<std::string> passNames(const FrameHistory& history) {
+  std::vector<std::string> names;
+  for (const FrameSample& sample : history.samples()) {
+    auto at = names.begin();
+    for (const auto& [name, ms] : sample.passes) {
+      const auto known = std::find(names.begin(), names.end(), name);
+      at = (known != names.end() ? known : names.insert(at, name)) + 1;
+    }
+  }
+  return names;
+}
+
+void drawPasses(const FrameHistory& history, const std::vector<std::string>& names) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = names.size(); i-- > 0;) {  // the topmost layer first, as in the plot
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    list.AddRectFilled({at.x, at.y + 0.15F * unit()}, {at.x + 0.8F * unit(), at.y + 0.95F * unit()}, passColor(i));
+    ImGui::Dummy({0.8F * unit(), unit()});
     ImGui::SameLine();
-    ImGui::Text("%7.2f ms  %s", ms, name.c_str());
+    ImGui::Text("%7.2f ms  %s", passMs(history.samples().back(), names[i]), names[i].c_str());
   }
 }
 
@@ -213,27 +278,34 @@ void drawInspection(const Inspection& i, const RenderOptions& options) {
 void drawFrameGraph(const FrameHistory& history) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({24.4F * unit(), display.y - 0.6F * unit()}, ImGuiCond_FirstUseEver, {0.0F, 1.0F});
-  ImGui::SetNextWindowSize({24.0F * unit(), std::min(28.0F * unit(), display.y - 1.2F * unit())},
+  ImGui::SetNextWindowSize({24.0F * unit(), std::min(34.0F * unit(), display.y - 1.2F * unit())},
                            ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Frames") && !history.samples().empty()) {
     const FrameSample& last = history.samples().back();
     const render::FrameStatistics& s = last.statistics;
-    plot(
-        history, "frame", [](const FrameSample& f) { return f.frameMs; }, fmt::format("{:.2f} ms", last.frameMs));
-    plot(
-        history, "triangles", [](const FrameSample& f) { return static_cast<double>(f.statistics.triangles); },
-        fmt::format("{} of {}", triangleText(s.triangles), triangleText(s.trianglesFull)));
-    plot(
-        history, "drawn", [](const FrameSample& f) { return static_cast<double>(f.statistics.drawn); },
-        fmt::format("{} of {} objects", s.drawn, s.objects));
-    plot(
-        history, "culled",
-        [](const FrameSample& f) {
-          return static_cast<double>(f.statistics.culledFrustum + f.statistics.culledOcclusion +
-                                     f.statistics.culledSmall);
-        },
-        fmt::format("{} outside, {} hidden, {} small", s.culledFrustum, s.culledOcclusion, s.culledSmall));
-    drawPasses(last);
+    const std::vector<std::string> names = passNames(history);
+    std::vector<Layer> passes;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      passes.push_back({passColor(i), [&name = names[i]](const FrameSample& f) { return passMs(f, name); }});
+    ImGui::TextDisabled("%zu frames in the last %.1f s", history.samples().size(),
+                        last.seconds - history.samples().front().seconds);
+    drawPlot(history, fmt::format("frame: {:.2f} ms", last.frameMs), passes, 5.5F * unit());
+    drawPlot(history, fmt::format("triangles: {} of {}", triangleText(s.triangles), triangleText(s.trianglesFull)),
+             {{kPositive, [](const FrameSample& f) { return static_cast<double>(f.statistics.triangles); }}},
+             3.0F * unit());
+    // The colours of the ghosts.
+    drawPlot(history,
+             fmt::format("objects: {} drawn, {} hidden, {} small, {} outside", s.drawn, s.culledOcclusion,
+                         s.culledSmall, s.culledFrustum),
+             {{kPositive, [](const FrameSample& f) { return static_cast<double>(f.statistics.drawn); }},
+              {IM_COL32(244, 64, 176, 255),
+               [](const FrameSample& f) { return static_cast<double>(f.statistics.culledOcclusion); }},
+              {IM_COL32(244, 216, 64, 255),
+               [](const FrameSample& f) { return static_cast<double>(f.statistics.culledSmall); }},
+              {IM_COL32(137, 168, 209, 255),
+               [](const FrameSample& f) { return static_cast<double>(f.statistics.culledFrustum); }}},
+             3.0F * unit());
+    drawPasses(history, names);
   }
   ImGui::End();
 }

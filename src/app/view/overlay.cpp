@@ -261,6 +261,16 @@ void drawLegend(const Region& region, const RenderOptions& options) {
                   {IM_COL32(0, 0, 0, 255), options.mode == "hiz" ? "nothing" : "open"}});
 }
 
+void drawFileName(const Region& region, const std::string& name, bool isCurrent) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const Clip clip(list, region);
+  if (region.x > 0.0F) list.AddLine({region.x + 0.5F, 0.0F}, {region.x + 0.5F, region.height}, kPlate, 0.15F * unit());
+  const ImVec2 size = ImGui::CalcTextSize(name.c_str());
+  const float x = region.x + region.width - size.x - 1.4F * unit();
+  plate(list, {x - 0.6F * unit(), 0.6F * unit()}, {x + size.x + 0.6F * unit(), 2.1F * unit()});
+  list.AddText({x, 0.85F * unit()}, isCurrent ? kRectLine : kText, name.c_str());
+}
+
 void drawNotice(const Region& region, const std::string& title, const std::string& text) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const Clip clip(list, region);

@@ -30,6 +30,9 @@ void drawSelection(const Region& region, const Inspection& inspection, const sce
 /// What the colours of a view mean, in the lower right corner of a region. Nothing for the shaded view.
 void drawLegend(const Region& region, const RenderOptions& options);
 
+/// The name of a file at the top of its region, and the border to the one left of it.
+void drawFileName(const Region& region, const std::string& name, bool isCurrent);
+
 /// A text in a box over the middle of a region, several lines wide.
 void drawNotice(const Region& region, const std::string& title, const std::string& text);
 

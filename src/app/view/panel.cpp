@@ -183,7 +183,8 @@ void drawCamera(ViewState& state, Document* document, PanelResult& result) {
   button("Frame", Action::kFrame, result, "The selected object, or the whole scene, fills the view (F)");
   ImGui::SliderFloat("speed", &state.settings.speed, kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic);
   tooltip("Of flying; 1: a tenth of the scene's diagonal a second");
-  ImGui::Checkbox("move all files' cameras together", &state.linked);
+  ImGui::Checkbox("move cameras of like scenes together", &state.linked);
+  tooltip("Files side by side whose scenes are of one size and in one place follow each other's camera");
 }
 
 void drawLayout(ViewState& state, PanelResult& result) {

@@ -171,6 +171,8 @@ void Viewer::renderDocument(std::size_t index) {
     const RenderCameras cameras = renderCameras(options, scene->scene(), document.path());
     renderer.render(options.frameOptions, cameras.cull, cameras.draw);
     if (index != state_.current || side != 0) continue;
+    if (charted_ != &document) state_.history.clear();
+    charted_ = &document;
     if (const auto statistics = renderer.latestStatistics())
       state_.history.add(makeSample(now(), renderer.timer().passes(), *statistics));
   }
@@ -227,6 +229,7 @@ ImageRgba8 Viewer::capture() {
 void Viewer::drawOverlays(std::size_t index) {
   Document& document = *documents_[index];
   const Region where = region(index);
+  if (documents_.size() > 1) drawFileName(where, document.file().filename().string(), index == state_.current);
   if (!document.wasLoaded()) return drawNotice(where, document.file().filename().string(), "reading ...");
   if (!document.error().empty()) {
     drawNotice(where, document.file().filename().string(), document.error());

@@ -79,6 +79,8 @@ class Viewer {
   void pick(const glm::vec2& at);
   void select(std::size_t document, int side, std::uint32_t object);
   void movePose(const Pose& pose);
+  /// Whether a document's camera is the current one's.
+  bool follows(std::size_t document) const;
   Pose currentPose();
   scene::Camera currentCamera();
   void useBookmark(std::size_t number, bool set);
@@ -118,6 +120,7 @@ class Viewer {
   FileWatch shaderWatch_;
   std::filesystem::path settingsFolder_;
   std::string title_;
+  const Document* charted_ = nullptr;  ///< whose frames the history holds
 
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;

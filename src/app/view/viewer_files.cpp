@@ -61,6 +61,7 @@ void Viewer::closeCurrent() {
   state_.current = documents_.empty() ? 0 : std::min(state_.current, documents_.size() - 1);
   state_.selection.reset();
   state_.inspection.reset();
+  charted_ = nullptr;
   state_.history.clear();
   state_.playing = state_.playing && !documents_.empty();
   touch();
@@ -137,9 +138,10 @@ void Viewer::saveRecording() {
   if (recorded_.translationTimes.empty()) return say("nothing was recorded");
   const std::filesystem::path file = freshOutput("jalousie-path", ".glb");
   const std::uint32_t frames = savePath(recorded_, currentCamera().fovY, current()->boundsWorld(), file);
-  for (const auto& document : documents_) {
-    document->camera.path = file;
-    document->loadPath();
+  for (std::size_t i = 0; i < documents_.size(); ++i) {
+    if (!follows(i)) continue;
+    documents_[i]->camera.path = file;
+    documents_[i]->loadPath();
   }
   say(fmt::format("{}: {} frames; Space plays it", file.string(), frames));
 }

@@ -21,6 +21,14 @@ constexpr float kSpeedPerStep = 1.25F;
 constexpr float kFlightShare = 0.1F;
 constexpr int kFlightKeys[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q, GLFW_KEY_E};
 
+/// Whether two scenes are so alike that one camera serves both: two bakes of one mesh, a scene before and after.
+bool areAlike(const Aabb& a, const Aabb& b) {
+  if (a.empty() || b.empty()) return false;
+  const float larger = std::max(a.diagonal(), b.diagonal());
+  return glm::length(a.center() - b.center()) <= 0.25F * larger &&
+         std::min(a.diagonal(), b.diagonal()) >= 0.5F * larger;
+}
+
 int plainMods(int mods) {
   return mods & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
 }
@@ -147,10 +155,15 @@ Pose Viewer::currentPose() {
   return poseOf(camera, targetDistance(camera, document.boundsWorld()));
 }
 
+bool Viewer::follows(std::size_t document) const {
+  return document == state_.current ||
+         (state_.linked && areAlike(documents_[document]->boundsWorld(), documents_[state_.current]->boundsWorld()));
+}
+
 void Viewer::movePose(const Pose& pose) {
   state_.playing = false;
   for (std::size_t i = 0; i < documents_.size(); ++i) {
-    if (i != state_.current && !state_.linked) continue;
+    if (!follows(i)) continue;
     documents_[i]->camera.pose = pose;
     documents_[i]->camera.frame.reset();
   }
