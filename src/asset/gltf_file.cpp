@@ -81,7 +81,7 @@ Parts split(std::span<const std::byte> bytes, const Path& file) {
   if (bytes.size() >= 4 && word(bytes, 0) == kGlbMagic) return splitGlb(bytes, file);
   const std::string_view text = asText(bytes);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first == std::string_view::npos || text[first] != '{')
+  if (first == std::string_view::npos || (text[first] != '{' && text[first] != '['))
     throw Error(ErrorCode::kMalformed, "neither glTF nor GLB (jalousie-bake makes GLB of PLY and OBJ)", file);
   return {text, std::nullopt};
 }

@@ -144,7 +144,8 @@ RenderOptions Viewer::optionsFor(std::size_t document, int side) const {
 std::string Viewer::command(int side, const std::string& output) const {
   if (state_.current >= documents_.size()) return {};
   RenderOptions options = optionsFor(state_.current, side);
-  options.lv = state_.configurations[static_cast<std::size_t>(side)].wanted.lv;
+  const Configuration& configuration = state_.configurations[static_cast<std::size_t>(side)];
+  if (configuration.refusal.empty()) options.lv = configuration.wanted.lv;  // automatic stays unsaid
   return renderCommand(options, output);
 }
 
