@@ -248,6 +248,21 @@ TEST_F(ViewFiles, ImportanceMaskAndItsFailure) {
   expectHeadlessEqual("with a mask");
 }
 
+TEST_F(ViewFiles, AMaskThatIsMissingIsAMessageUntilAnotherOneIsThere) {
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.watch = true;
+  options.render.importance = folder_ / "late.png";
+  options.render.given.insert("--importance");
+  if (!open(options)) GTEST_SKIP() << "no display";
+  EXPECT_NE(viewer_->document(0).error().find("late.png"), std::string::npos);
+  asset::savePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, folder_ / "late.png");
+  test::writeSpheres(scene(), 4);  // what is read again is tried again
+  EXPECT_TRUE(waitFor([&] { return viewer_->document(0).error().empty() && viewer_->document(0).side(0) != nullptr; }));
+  settle();
+  expectHeadlessEqual("with a late mask");
+}
+
 TEST_F(ViewFiles, SettingsGoToTheConfigFolderAlone) {
   if (!openScene()) GTEST_SKIP() << "no display";
   drag(1, 300, 200, 330, 200);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include "app/render_option_table.h"
@@ -118,6 +119,26 @@ TEST(RenderOptionTable, EveryRowHasWordsForPeople) {
     EXPECT_EQ(*option.unit != '\0', number || std::holds_alternative<MaybeCountValue>(option.value)) << option.name;
     EXPECT_EQ(*option.needs != '\0', option.applies != nullptr) << option.name;
   }
+}
+
+TEST(RenderOptionTable, PanelHasEveryOptionOfRender) {
+  RenderOptions options;
+  CLI::App parser;
+  addRenderOptions(parser, options);
+  // Widgets of their own: the camera, the window's size, what is written. The last two mean nothing in a window.
+  const std::set<std::string> others = {"scene",    "--help",         "--path",       "--frame",       "--eye",
+                                        "--look",   "--freeze-frame", "--freeze-eye", "--freeze-look", "--size",
+                                        "--output", "--json",         "--repeat",     "--stats-only",  "--quiet"};
+  std::size_t rows = 0;
+  for (const CLI::Option* option : parser.get_options()) {
+    const std::string name = option->get_positional() ? option->get_name(true) : option->get_name();
+    if (others.contains(name)) continue;
+    const auto table = renderOptionTable();
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const RenderOption& row) { return name == row.name; }))
+        << name << " is neither in the table nor known to have a widget of its own";
+    ++rows;
+  }
+  EXPECT_EQ(rows, renderOptionTable().size());
 }
 
 TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {

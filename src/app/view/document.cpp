@@ -89,7 +89,7 @@ void Document::read() {
 void Document::load() {
   wasLoaded_ = true;
   error_.clear();
-  failedFor_.clear();
+  failedFor_ = {};
   try {
     read();
   } catch (const Error& error) {
@@ -123,21 +123,19 @@ void Document::loadPath() {
 Side* Document::prepare(int index, const RenderOptions& options) {
   std::unique_ptr<Side>& side = sides_[static_cast<std::size_t>(index)];
   if (!scene_) return nullptr;
+  std::string& failedFor = failedFor_[static_cast<std::size_t>(index)];
   const std::string key = keyOf(options);
-  if (failedFor_ == key) return side.get();
+  if (failedFor == key) return side.get();
   const auto failed = [&](const Error& error) {
     fail(error);
-    failedFor_ = key;
+    failedFor = key;
     if (side != nullptr && side->fits(options)) side.reset();  // half resized
     return side.get();
   };
   try {
-    if (side == nullptr || !side->fits(options)) {
-      side = std::make_unique<Side>(*scene_, options);
-      if (!failedFor_.empty()) error_.clear();
-      failedFor_.clear();
-    }
+    if (side == nullptr || !side->fits(options)) side = std::make_unique<Side>(*scene_, options);
     side->resize(options.width, options.height);
+    forgetFailures(static_cast<std::size_t>(index));
   } catch (const Error& error) {
     return failed(error);
   } catch (const std::bad_alloc&) {
@@ -146,9 +144,16 @@ Side* Document::prepare(int index, const RenderOptions& options) {
   return side.get();
 }
 
+void Document::forgetFailures(std::size_t side) {
+  if (failedFor_[side].empty()) return;
+  failedFor_[side].clear();
+  if (std::all_of(failedFor_.begin(), failedFor_.end(), [](const std::string& key) { return key.empty(); }))
+    error_.clear();
+}
+
 std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
-  if (!failedFor_.empty()) error_.clear();
-  failedFor_.clear();
+  for (std::size_t i = 0; i < kSides; ++i)
+    forgetFailures(i);
   try {
     std::array<std::unique_ptr<Side>, kSides> fresh;
     for (std::size_t i = 0; i < kSides; ++i)

@@ -97,6 +97,8 @@ class Document {
     errorCode_ = error.code();
   }
   void read();
+  /// Tries again what failed, and forgets why it did.
+  void forgetFailures(std::size_t side);
 
   std::filesystem::path file_;
   FileWatch watch_;
@@ -107,7 +109,7 @@ class Document {
   std::array<std::unique_ptr<Side>, kSides> sides_;
   std::string error_;  ///< shown over the picture; empty: all is well
   ErrorCode errorCode_ = ErrorCode::kInternal;
-  std::string failedFor_;  ///< what prepare() failed for: not tried again in every frame
+  std::array<std::string, kSides> failedFor_;  ///< what prepare() failed for: not tried again in every frame
 };
 
 }  // namespace jalousie::app

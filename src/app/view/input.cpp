@@ -13,7 +13,7 @@ Input::Input(GLFWwindow* window) : window_(window) {
   using Kind = InputEvent::Kind;
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
-    of(w).add({Kind::kKey, key, action != GLFW_RELEASE, mods, of(w).pointer()});
+    of(w).add({Kind::kKey, key, action == GLFW_PRESS, mods, of(w).pointer()});
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     of(w).add({Kind::kButton, button, action != GLFW_RELEASE, mods, of(w).pointer()});

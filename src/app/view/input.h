@@ -13,7 +13,7 @@ struct InputEvent {
   enum class Kind { kKey, kButton, kMove, kWheel, kDrop, kFocusLost };
   Kind kind = Kind::kMove;
   int code = 0;          ///< GLFW's key or button
-  bool pressed = false;  ///< of a key or button; a repeated key counts as pressed
+  bool pressed = false;  ///< of a key or button; a key that is held down is pressed once
   int mods = 0;          ///< GLFW's modifiers
   glm::vec2 at{0.0F};    ///< pointer in pixels of the framebuffer, origin at the upper left; the wheel's steps
   std::vector<std::filesystem::path> files = {};  ///< dropped

@@ -69,6 +69,7 @@ bool Viewer::done() const {
 }
 
 void Viewer::touch() {
+  if (state_.selection && !state_.split && !state_.flicker) state_.selection->side = 0;
   dirtyFrames_ = kSettleFrames;
   for (const Configuration& configuration : state_.configurations)
     if (configuration.active.frameOptions.calm) dirtyFrames_ = kCalmFrames;
