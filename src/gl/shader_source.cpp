@@ -19,7 +19,8 @@ std::filesystem::path& shaderFolder() {
 constexpr std::uint64_t kMaxShaderBytes = 1U << 20U;
 
 std::string findShader(std::string_view name) {
-  if (!shaderFolder().empty() && std::filesystem::exists(shaderFolder() / name)) {
+  std::error_code failed;
+  if (!shaderFolder().empty() && std::filesystem::exists(shaderFolder() / name, failed)) {
     const std::vector<std::byte> bytes = readFile(shaderFolder() / name, kMaxShaderBytes);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }

@@ -66,7 +66,7 @@ void DebugViews::drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuff
 
 void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
                             visibility::DrawListPass& lists) {
-  if (!ghosts_) ghosts_.emplace(scene_);
+  if (!ghosts_) ghosts_.emplace(scene_, markGhosts_);
   ghosts_->build(lists, buffers.bindings(), *frame.visibility);
   setPart(pass, frame, gpu::kViewGhost);
   frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);

@@ -9,6 +9,7 @@
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
 #include "visibility/ghost_pass.h"
+#include "visibility/program_table.h"
 
 namespace jalousie::render {
 
@@ -26,7 +27,9 @@ struct DrawnFrame {
 /// Allocates on the first frame of a view that needs memory of its own, and nothing for the others.
 class DebugViews {
  public:
-  explicit DebugViews(const scene::SceneData& scene) : scene_(scene) {}
+  /// Builds every program: a shader that does not build must not be found out in a frame. Errors: kShader.
+  explicit DebugViews(const scene::SceneData& scene)
+      : scene_(scene), markGhosts_(visibility::programSource(visibility::ProgramId::kMarkGhosts)) {}
 
   /// Draws over the frame what its view asks for; GL_FRAMEBUFFER_SRGB is on.
   void draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);
@@ -45,6 +48,7 @@ class DebugViews {
 
   const scene::SceneData& scene_;
   std::optional<Halvings> halvings_;
+  gl::Program markGhosts_;
   std::optional<visibility::GhostPass> ghosts_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace jalousie::visibility {
 
-GhostPass::GhostPass(const scene::SceneData& scene)
+GhostPass::GhostPass(const scene::SceneData& scene, const gl::Program& markProgram)
     : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
-      markProgram_(programSource(ProgramId::kMarkGhosts)),
+      markProgram_(markProgram),
       states_(sizeof(gpu::ObjectState) * objectCount_, 0, "ghost states"),
       marks_(sizeof(gpu::uint) * objectCount_, 0, "ghost marks"),
       list_(scene, gpu::kMarkLate, {Submission::kInstanced, objectCount_, scene.maxPatchTriangles > 0}) {}

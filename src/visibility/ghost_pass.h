@@ -11,8 +11,8 @@ namespace jalousie::visibility {
 /// Marks the culled objects of a frame at their coarsest level. Its buffers are as long as the pass is in use.
 class GhostPass {
  public:
-  /// Errors: kLimit as DrawList.
-  explicit GhostPass(const scene::SceneData& scene);
+  /// Keeps a reference to the program of ProgramId::kMarkGhosts. Errors: kLimit as DrawList.
+  GhostPass(const scene::SceneData& scene, const gl::Program& markProgram);
 
   /// Fills the list with what the frame's decisions leave out. Leaves the barriers of DrawListPass::build.
   void build(DrawListPass& lists, const SceneBindings& scene, const VisibilityPass& visibility);
@@ -22,7 +22,7 @@ class GhostPass {
 
  private:
   std::uint32_t objectCount_;
-  gl::Program markProgram_;
+  const gl::Program& markProgram_;
   gl::Buffer states_;
   gl::Buffer marks_;
   DrawList list_;

@@ -128,6 +128,36 @@ TEST_F(ViewFiles, ABrokenShaderAtTheStartIsMendedLater) {
   expectHeadlessEqual("mended");
 }
 
+TEST_F(ViewFiles, AGhostShaderThatBreaksIsAMessageToo) {
+  const fs::path shaders = folder_ / "shaders";
+  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  app::ViewOptions options;
+  options.files = {scene()};
+  options.render.view = "ghosts";
+  options.shaders = shaders;
+  if (!open(options)) GTEST_SKIP() << "no display";
+  replaceText(shaders / "visibility/mark_ghosts.comp", "uint mark = marks[id];", "uint mark = nonsense;");
+  EXPECT_TRUE(waitFor([&] { return !state().shaderError.empty(); }));
+  EXPECT_NE(state().shaderError.find("mark_ghosts"), std::string::npos) << state().shaderError;
+  drag(1, 300, 200, 330, 210);
+  log_->clear();  // the compiler's own complaint
+}
+
+TEST_F(ViewFiles, ARecordingStaysWithItsFile) {
+  test::writeSpheres(folder_ / "wide.glb", 25);
+  app::ViewOptions options;
+  options.files = {scene(), folder_ / "wide.glb"};
+  if (!open(options)) GTEST_SKIP() << "no display";
+  drag(1, 100, 200, 110, 200);
+  xdotool("key ctrl+r");
+  xdotool("mousemove 500 200 click 1");
+  EXPECT_EQ(state().current, 1U);
+  xdotool("key ctrl+r");
+  settle();
+  EXPECT_FALSE(viewer_->document(0).camera.path.empty()) << state().message;
+  EXPECT_TRUE(viewer_->document(1).camera.path.empty());
+}
+
 TEST_F(ViewFiles, ClosingAndOpeningAgain) {
   test::writeSpheres(folder_ / "other.glb", 2);
   app::ViewOptions options;
@@ -303,6 +333,17 @@ TEST_F(ViewFiles, ProgramWritesScreenshotsAndFiguresForScripts) {
   EXPECT_EQ(stats["frames"][0]["objects"], 27);
   EXPECT_TRUE(stats["frames"][0]["passes"].contains("classify"));
   EXPECT_FALSE(fs::exists(folder_ / "config")) << "a script leaves no settings";
+  const std::string file = scene().string();
+  for (const std::vector<std::string>& unfulfilled : {std::vector<std::string>{"view", file, "--play"},
+                                                      {"view", file, "--select", "9999"},
+                                                      {"view", file, "--frame", "7"},
+                                                      {"view", file, "--eye", "1,1,1", "--look", "1,1,1"}}) {
+    std::vector<std::string> arguments = unfulfilled;
+    arguments.insert(arguments.end(), {"--screenshot", (folder_ / "none.png").string(), "--frames", "2"});
+    const test::ProgramResult result = jalousie(arguments);
+    EXPECT_EQ(result.exitCode, 2) << unfulfilled[2] << ": " << result.standardError;
+    EXPECT_FALSE(fs::exists(folder_ / "none.png")) << unfulfilled[2];
+  }
   const test::ProgramResult missing = jalousie({"view", (folder_ / "no.glb").string(), "--screenshot", shot});
   EXPECT_NE(missing.exitCode, 0);
   EXPECT_NE(missing.standardError.find("no.glb"), std::string::npos);

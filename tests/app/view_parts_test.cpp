@@ -68,6 +68,18 @@ TEST(Navigation, NoZoomLosesTheDirection) {
   }
 }
 
+TEST(Navigation, FlyingAwayFromANearTargetKeepsTheDirection) {
+  Pose pose{{0, 0, 1e-6F}, {0, 0, 0}};
+  for (int i = 0; i < 200; ++i) {
+    pose = moved(pose, {3.0F, 1.0F, 5.0F});
+    ASSERT_TRUE(isUsable(pose)) << i;
+    pose = panned(pose, 10.0F, 4.0F, 500.0F);
+    ASSERT_TRUE(isUsable(pose)) << i;
+  }
+  const Aabb speck{glm::vec3(3e5F), glm::vec3(3e5F)};
+  EXPECT_TRUE(isUsable(framed({{0, 0, 1}, {0, 0, 0}}, speck, 0.8F, 1.0F)));
+}
+
 TEST(Navigation, PosesThatNoCameraCanHaveAreKnown) {
   EXPECT_TRUE(isUsable({{0, 0, 1}, {0, 0, 0}}));
   EXPECT_FALSE(isUsable({{1, 2, 3}, {1, 2, 3}}));
@@ -125,7 +137,7 @@ TEST(RenderOptionTable, PanelHasEveryOptionOfRender) {
   RenderOptions options;
   CLI::App parser;
   addRenderOptions(parser, options);
-  // Widgets of their own: the camera, the window's size, what is written. The last two mean nothing in a window.
+  // Widgets of their own: the camera, the window's size, what is written. The last three mean nothing in a window.
   const std::set<std::string> others = {"scene",    "--help",         "--path",       "--frame",       "--eye",
                                         "--look",   "--freeze-frame", "--freeze-eye", "--freeze-look", "--size",
                                         "--output", "--json",         "--repeat",     "--stats-only",  "--quiet"};
@@ -192,19 +204,29 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   EXPECT_EQ(loadSettings(folder / "nowhere").speed, 1.0F);
   std::ofstream(folder / "deep/er/view.json")
       << R"({"speed": 1e30, "width": 0, "height": 4000000000, "bookmarks": {"/a.glb": {"0": [1,1,1,1,1,1], "1": [0,0,1,0,0,0], "77": [0,0,1,0,0,0]}}})";
+  // One broken entry costs itself alone.
   const ViewSettings wild = loadSettings(folder / "deep/er");
   EXPECT_EQ(wild.speed, kMostSpeed);
   EXPECT_GE(wild.width, 1U);
   EXPECT_LE(wild.height, 16384U);
   EXPECT_FALSE(wild.bookmarks.at("/a.glb")[0].has_value()) << "an eye in its own target is no place";
   EXPECT_TRUE(wild.bookmarks.at("/a.glb")[1].has_value());
+  std::ofstream(folder / "deep/er/view.json")
+      << R"({"speed": "fast", "graph": true, "bookmarks": {"/a": {"x": 1, "2": null, "3": [1,2], "4": [0,0,1,0,0,0]}, "/b": 7}})";
+  const ViewSettings mended = loadSettings(folder / "deep/er");
+  EXPECT_EQ(mended.speed, 1.0F);
+  EXPECT_TRUE(mended.graph);
+  EXPECT_TRUE(mended.bookmarks.at("/a")[4].has_value());
+  ViewSettings odd;
+  odd.bookmarks["/caf\xe9.glb"][0] = Pose{{0, 0, 1}, {0, 0, 0}};
+  EXPECT_NO_THROW(saveSettings(odd, folder / "deep/er")) << "a file name need not be UTF-8";
 }
 
 TEST(FileWatch, ReportsAChangeOnceItIsOver) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "a.txt") << "one";
   FileWatch file(folder / "a.txt");
-  FileWatch all(folder.path());
+  FileWatch all(folder.path(), /*recursive=*/true);
   EXPECT_FALSE(file.changed());
   std::ofstream(folder / "a.txt") << "longer";
   EXPECT_FALSE(file.changed()) << "may still be written";
@@ -213,6 +235,10 @@ TEST(FileWatch, ReportsAChangeOnceItIsOver) {
   std::ofstream(folder / "b.txt") << "new";
   EXPECT_FALSE(all.changed());
   EXPECT_TRUE(all.changed());
+  FileWatch alone(folder.path());
+  std::ofstream(folder / "c.txt") << "new";
+  EXPECT_FALSE(alone.changed());
+  EXPECT_FALSE(alone.changed()) << "a folder that stands for a scene is not searched";
 }
 
 TEST(FileWatch, FilesThatComeIntoViewAreNoChange) {

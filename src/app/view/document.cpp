@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <new>
 #include <set>
@@ -86,74 +87,88 @@ void Document::read() {
     side.reset();
 }
 
+std::size_t Document::worst() const {
+  for (std::size_t i = 0; i < failures_.size(); ++i)
+    if (!failures_[i].text.empty()) return i;
+  return kFile;
+}
+
 void Document::load() {
+  const bool first = !wasLoaded_;
   wasLoaded_ = true;
-  error_.clear();
+  failures_ = {};
   failedFor_ = {};
   try {
     read();
   } catch (const Error& error) {
-    fail(error);
+    fail(kFile, error);
   } catch (const std::bad_alloc&) {
-    fail(Error(ErrorCode::kLimit, "out of memory", file_));
+    fail(kFile, Error(ErrorCode::kLimit, "out of memory", file_));
   }
-  loadPath();
+  loadPath(first);
 }
 
-void Document::loadPath() {
+void Document::loadPath(bool refusesFrames) {
   if (!scene_) return;
+  failures_[kPath] = {};
   try {
     path_ = camera.path.empty() ? scene_->cameras : asset::readSceneFile(camera.path).cameras;
     if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
   } catch (const Error& error) {
-    fail(error);
+    fail(kPath, error);
     camera.path.clear();
     path_ = scene_->cameras;
   }
   if (path_.empty() && (camera.frame || camera.freezeFrame))
-    fail(Error(ErrorCode::kUsage, "the scene has no camera path, so it has no frames: the whole scene is in view",
-               file_));
+    fail(kPath, Error(ErrorCode::kUsage,
+                      "the scene has no camera path, so it has no frames: the whole scene is in view", file_));
   const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
   for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
     if (path_.empty()) frame->reset();
-    if (*frame) *frame = std::min(**frame, last);
+    if (!*frame || **frame <= last) continue;
+    if (refusesFrames)
+      fail(kPath,
+           Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", **frame, last), file_));
+    *frame = last;
   }
 }
 
 Side* Document::prepare(int index, const RenderOptions& options) {
-  std::unique_ptr<Side>& side = sides_[static_cast<std::size_t>(index)];
+  const auto i = static_cast<std::size_t>(index);
+  std::unique_ptr<Side>& side = sides_[i];
   if (!scene_) return nullptr;
-  std::string& failedFor = failedFor_[static_cast<std::size_t>(index)];
   const std::string key = keyOf(options);
-  if (failedFor == key) return side.get();
-  const auto failed = [&](const Error& error) {
-    fail(error);
-    failedFor = key;
-    if (side != nullptr && side->fits(options)) side.reset();  // half resized
-    return side.get();
+  if (failedFor_[i] == key) return side.get();
+  const auto attempt = [&](const std::function<void()>& task) {
+    try {
+      task();
+      return true;
+    } catch (const Error& error) {
+      fail(kSide + i, error);
+    } catch (const std::bad_alloc&) {
+      fail(kSide + i, Error(ErrorCode::kLimit, "out of memory", file_));
+    }
+    failedFor_[i] = key;
+    return false;
   };
-  try {
-    if (side == nullptr || !side->fits(options)) side = std::make_unique<Side>(*scene_, options);
-    side->resize(options.width, options.height);
-    forgetFailures(static_cast<std::size_t>(index));
-  } catch (const Error& error) {
-    return failed(error);
-  } catch (const std::bad_alloc&) {
-    return failed(Error(ErrorCode::kLimit, "out of memory", file_));
-  }
+  const bool made =
+      (side != nullptr && side->fits(options)) || attempt([&] { side = std::make_unique<Side>(*scene_, options); });
+  // What was there before goes on, at the new size too; half resized it is of no use.
+  if (side != nullptr && !attempt([&] { side->resize(options.width, options.height); }))
+    side.reset();
+  else if (made)
+    forgetFailure(i);
   return side.get();
 }
 
-void Document::forgetFailures(std::size_t side) {
-  if (failedFor_[side].empty()) return;
+void Document::forgetFailure(std::size_t side) {
   failedFor_[side].clear();
-  if (std::all_of(failedFor_.begin(), failedFor_.end(), [](const std::string& key) { return key.empty(); }))
-    error_.clear();
+  failures_[kSide + side] = {};
 }
 
 std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
   for (std::size_t i = 0; i < kSides; ++i)
-    forgetFailures(i);
+    forgetFailure(i);
   try {
     std::array<std::unique_ptr<Side>, kSides> fresh;
     for (std::size_t i = 0; i < kSides; ++i)
@@ -163,6 +178,8 @@ std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
     return {};
   } catch (const Error& error) {
     return error.what();
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
   }
 }
 

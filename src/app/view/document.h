@@ -70,8 +70,9 @@ class Document {
   bool wasLoaded() const { return wasLoaded_; }
   /// As FileWatch::changed of the file and of what it names.
   bool changedOnDisk() { return watch_.changed(); }
-  /// Reads the camera path of camera.path, or the scene's own.
-  void loadPath();
+  /// Reads the camera path of camera.path, or the scene's own; frames beyond it become its last.
+  /// @param refusesFrames  such a frame is an error, as it was asked for
+  void loadPath(bool refusesFrames = false);
 
   /// One configuration, made if it is not there. Null if that failed; the reason is in error().
   /// @param options  finished, with the size of this picture
@@ -82,8 +83,11 @@ class Document {
   /// Builds all programs anew, for changed shaders. On failure the last good ones go on. @return the error, or empty
   std::string rebuild(const RenderOptions (&options)[kSides]);
 
-  const std::string& error() const { return error_; }
-  ErrorCode errorCode() const { return errorCode_; }
+  /// What is wrong: with the file, its path, a configuration; empty: all is well.
+  const std::string& error() const { return failures_[worst()].text; }
+  ErrorCode errorCode() const { return failures_[worst()].code; }
+  /// A configuration that is not shown has nothing to complain of, and is tried again when it is.
+  void forgetFailure(std::size_t side);
   const std::vector<asset::Camera>& path() const { return path_; }
   /// Bounds of the scene, also before a renderer exists.
   Aabb boundsWorld() const { return boundsWorld_; }
@@ -92,13 +96,16 @@ class Document {
   CameraChoice camera;
 
  private:
-  void fail(const Error& error) {
-    error_ = error.what();
-    errorCode_ = error.code();
-  }
+  struct Failure {
+    std::string text;
+    ErrorCode code = ErrorCode::kInternal;
+  };
+  static constexpr std::size_t kFile = 0;
+  static constexpr std::size_t kPath = 1;
+  static constexpr std::size_t kSide = 2;  ///< the first of two
+  void fail(std::size_t what, const Error& error) { failures_[what] = {error.what(), error.code()}; }
+  std::size_t worst() const;
   void read();
-  /// Tries again what failed, and forgets why it did.
-  void forgetFailures(std::size_t side);
 
   std::filesystem::path file_;
   FileWatch watch_;
@@ -107,8 +114,7 @@ class Document {
   Aabb boundsWorld_;
   std::vector<asset::Camera> path_;
   std::array<std::unique_ptr<Side>, kSides> sides_;
-  std::string error_;  ///< shown over the picture; empty: all is well
-  ErrorCode errorCode_ = ErrorCode::kInternal;
+  std::array<Failure, kSide + kSides> failures_;
   std::array<std::string, kSides> failedFor_;  ///< what prepare() failed for: not tried again in every frame
 };
 

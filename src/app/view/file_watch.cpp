@@ -23,7 +23,7 @@ FileWatch::Stamps FileWatch::look() const {
     if (!missing) stamps[file] = {time, size};
   };
   for (const fs::path& path : paths_) {
-    if (!fs::is_directory(path, failed)) {
+    if (!recursive_ || !fs::is_directory(path, failed)) {
       add(path);
       continue;
     }

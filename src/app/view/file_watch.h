@@ -8,11 +8,14 @@
 
 namespace jalousie::app {
 
-/// Looks at files, and at every file of a folder and below. What is asked for is remembered between calls.
+/// Looks at files, or at every file of a folder and below. What is asked for is remembered between calls.
 class FileWatch {
  public:
   FileWatch() = default;
-  explicit FileWatch(const std::filesystem::path& path) { watch({path}); }
+  /// @param recursive  a folder stands for all files in it and below
+  explicit FileWatch(const std::filesystem::path& path, bool recursive = false) : recursive_(recursive) {
+    watch({path});
+  }
 
   /// From now on these. What was watched already keeps what is known of it; what is new counts as it is now.
   void watch(std::vector<std::filesystem::path> paths);
@@ -30,6 +33,7 @@ class FileWatch {
   using Stamps = std::map<std::filesystem::path, Stamp>;
   Stamps look() const;
 
+  bool recursive_ = false;
   std::vector<std::filesystem::path> paths_;
   Stamps reported_;
   Stamps last_;

@@ -263,7 +263,8 @@ void drawInspection(const Inspection& i, const RenderOptions& options) {
       if (i.countedLv) row("pixels", fmt::format("{} showed it when they were last counted", i.readout.pixels));
       row("budget", fmt::format("{:.3g} px x {:.2f} = {:.3g} px{}", i.tau, i.relaxed, i.tau * i.relaxed,
                                 i.importance < 1.0F ? fmt::format(" (importance {:.2f})", i.importance) : ""));
-      row("level", fmt::format("{}", i.chosen));
+      row("level",
+          i.cuts > 0 ? fmt::format("patches over {}, edges in {}", i.chosen, i.cuts) : fmt::format("{}", i.chosen));
       row("why", i.why);
       ImGui::EndTable();
     }

@@ -87,6 +87,10 @@ std::optional<InspectedBlock> inspectBlock(const gpu::ScreenBox& box, render::Fr
 
 std::string whyByError(const Inspection& i, const gpu::CullView& view) {
   const bool relaxes = view.lodRule == gpu::kLodLvError;
+  if (i.cuts > 0)
+    return fmt::format(
+        "Patches over level {} err by {:.3g} px where they are flat; cut into {} they keep within {:.3g} px.", i.chosen,
+        i.levels[i.chosen].errorPixels, i.cuts, i.tau * i.relaxed);
   std::string text = fmt::format("{:.3g} px of error may show, and level {} keeps within it", i.tau, i.finest);
   if (relaxes && i.relaxed > 1.0F)
     text += fmt::format(". {:.3g} % of it can be seen, so up to {:.3g} px would do, level {}",
@@ -109,6 +113,7 @@ std::string whyText(const Inspection& i, const gpu::CullView& view) {
     return "It is not drawn; the level is the one it would have.";
   if (view.lodRule == gpu::kLodFinest) return "The rule draws every object at level 0.";
   if (view.lodRule == gpu::kLodLinear) {
+    if (i.cuts > 0) return fmt::format("LV {:.3f} cuts the edges of the patches into {}.", i.readout.state.lv, i.cuts);
     if (verdict == gpu::kVerdictOccluder) return "Occluders are drawn at level 0.";
     return fmt::format(
         "LV {:.3f} is {:.1f} % of the way from open to covered, and so is the level from finest to "
@@ -130,7 +135,9 @@ void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::Cull
   if (view.lodRule == gpu::kLodLvError && view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed);
   i.finest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau);
   i.coarsest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau * i.relaxed);
-  i.chosen = view.detail == gpu::kDetailTessellation ? i.readout.state.tessellation : i.readout.state.lod;
+  const bool patches = view.detail == gpu::kDetailTessellation;
+  i.chosen = patches ? chain.patchLod : i.readout.state.lod;
+  i.cuts = patches ? i.readout.state.tessellation : 0;
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct Inspection {
   float relaxed = 1.0F;                 ///< what hiddenness multiplies it by
   std::vector<InspectedLevel> levels;
   std::uint32_t chosen = 0;    ///< level drawn, or that would be
+  std::uint32_t cuts = 0;      ///< patches over that level: each edge in so many; 0: no patches
   std::uint32_t finest = 0;    ///< coarsest level within tau
   std::uint32_t coarsest = 0;  ///< coarsest level within tau * relaxed
   std::string verdict;         ///< in words

@@ -31,7 +31,9 @@ void loadFont(float scale) {
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
   for (const char* font : kFonts)
-    if (std::filesystem::exists(font) && io.Fonts->AddFontFromFileTTF(font, kFontPixels * scale) != nullptr) return;
+    if (std::error_code failed;
+        std::filesystem::exists(font, failed) && io.Fonts->AddFontFromFileTTF(font, kFontPixels * scale) != nullptr)
+      return;
   ImFontConfig config;
   config.SizePixels = 13.0F * scale;
   io.Fonts->AddFontDefault(&config);

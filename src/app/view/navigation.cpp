@@ -73,24 +73,41 @@ Pose turned(const Pose& pose, float yaw, float pitch) {
   return {pose.eye, pose.eye + rotated(pose.look - pose.eye, yaw, pitch)};
 }
 
+namespace {
+
+/// The least distance of a target that rounding leaves apart from the eye.
+float leastDistance(const glm::vec3& at) {
+  const glm::vec3 size = glm::abs(at);
+  return kLeastDistance * std::max({size.x, size.y, size.z, 1e-3F});
+}
+
+/// Moves eye and target; keeps them apart where the eye comes to.
+Pose shifted(const Pose& pose, const glm::vec3& offset, const glm::vec3& forward) {
+  const Pose result{pose.eye + offset, pose.look + offset};
+  const float least = leastDistance(result.eye);
+  if (glm::length(pose.look - pose.eye) >= least) return result;
+  return {result.eye, result.eye + least * forward};
+}
+
+}  // namespace
+
 Pose moved(const Pose& pose, const glm::vec3& step) {
   const Frame frame = frameOf(pose);
   const glm::vec3 offset = step.x * frame.right + step.y * glm::vec3(0.0F, 1.0F, 0.0F) + step.z * frame.forward;
-  return {pose.eye + offset, pose.look + offset};
+  return shifted(pose, offset, frame.forward);
 }
 
 Pose panned(const Pose& pose, float right, float up, float focalPixels) {
   const Frame frame = frameOf(pose);
   const float worldPerPixel = glm::length(pose.look - pose.eye) / focalPixels;
   const glm::vec3 offset = -worldPerPixel * (right * frame.right + up * frame.up);
-  return {pose.eye + offset, pose.look + offset};
+  return shifted(pose, offset, frame.forward);
 }
 
 Pose zoomed(const Pose& pose, float steps) {
   const glm::vec3 away = pose.eye - pose.look;
   const float distance = glm::length(away);
-  const glm::vec3 size = glm::abs(pose.look);
-  const float least = std::min(kLeastDistance * std::max({size.x, size.y, size.z, 1e-3F}), distance);
+  const float least = std::min(leastDistance(pose.look), distance);
   const float most = std::max(kMostDistance, distance);
   const float wanted = std::clamp(distance * std::pow(kZoomPerStep, steps), least, most);
   return {pose.look + wanted / distance * away, pose.look};
@@ -98,7 +115,7 @@ Pose zoomed(const Pose& pose, float steps) {
 
 Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect) {
   if (boxWorld.empty()) return pose;
-  const float radius = std::max(0.5F * boxWorld.diagonal(), 1e-4F);
+  const float radius = std::max({0.5F * boxWorld.diagonal(), 1e-4F, leastDistance(boxWorld.center())});
   const float half = std::atan(std::tan(0.5F * fovY) * std::min(aspect, 1.0F));
   const glm::vec3 direction = glm::normalize(pose.eye - pose.look);
   return {boxWorld.center() + radius / std::sin(half) * direction, boxWorld.center()};

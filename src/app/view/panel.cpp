@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace jalousie::app {
@@ -53,8 +54,19 @@ bool editChoice(const char* label, std::string& value, const std::vector<std::st
 
 bool editNumber(const char* label, float& value, float least, float most) {
   const float speed = most <= 1.0F ? 0.005F : std::max(0.02F, 0.02F * value);
-  if (!ImGui::DragFloat(label, &value, speed, least, most, "%.3g")) return false;
-  value = std::clamp(value, least, most);
+  float edited = value;
+  if (!ImGui::DragFloat(label, &edited, speed, least, most, "%.3g") || !std::isfinite(edited)) return false;
+  value = std::clamp(edited, least, most);
+  return true;
+}
+
+/// A slider that no typed value gets out of its range.
+bool editSlider(const char* label, float& value, float least, float most, const char* format,
+                ImGuiSliderFlags flags = 0) {
+  float edited = value;
+  if (!ImGui::SliderFloat(label, &edited, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp)) return false;
+  if (!std::isfinite(edited)) return false;
+  value = std::clamp(edited, least, most);
   return true;
 }
 
@@ -155,7 +167,7 @@ void drawPathWidgets(ViewState& state, Document& document, PanelResult& result) 
   tooltip("glTF whose camera path is followed; empty: the scene's own. Press Enter.");
   if (document.pathFrames() > 0) {
     float frame = document.camera.frame.value_or(0.0F);
-    if (ImGui::SliderFloat("frame##--frame", &frame, 0.0F, static_cast<float>(document.pathFrames() - 1), "%.0f")) {
+    if (editSlider("frame##--frame", frame, 0.0F, static_cast<float>(document.pathFrames() - 1), "%.0f")) {
       document.camera.frame = std::round(frame);
       document.camera.pose.reset();
       result.camerasChanged = true;
@@ -181,7 +193,7 @@ void drawCamera(ViewState& state, Document* document, PanelResult& result) {
   button("Reset", Action::kReset, result, "The camera of the start (R)");
   ImGui::SameLine();
   button("Frame", Action::kFrame, result, "The selected object, or the whole scene, fills the view (F)");
-  ImGui::SliderFloat("speed", &state.settings.speed, kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic);
+  editSlider("speed", state.settings.speed, kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic);
   tooltip("Of flying; 1: a tenth of the scene's diagonal a second");
   ImGui::Checkbox("move cameras of like scenes together", &state.linked);
   tooltip("Files side by side whose scenes are of one size and in one place follow each other's camera");
@@ -191,11 +203,11 @@ void drawLayout(ViewState& state, PanelResult& result) {
   if (!ImGui::CollapsingHeader("Compare")) return;
   result.layoutChanged |= ImGui::Checkbox("split screen", &state.split);
   tooltip("Configuration A left of the divider, B right of it; drag the divider (B)");
-  result.layoutChanged |= ImGui::SliderFloat("divider", &state.divider, 0.0F, 1.0F, "%.2f");
+  result.layoutChanged |= editSlider("divider", state.divider, 0.0F, 1.0F, "%.2f");
   tooltip("Where the divider is, share of the width");
   result.layoutChanged |= ImGui::Checkbox("flicker", &state.flicker);
   tooltip("A and B in turn over the whole picture: what differs jumps (X)");
-  result.layoutChanged |= ImGui::SliderFloat("period", &state.flickerSeconds, 0.1F, 3.0F, "%.1f s");
+  result.layoutChanged |= editSlider("period", state.flickerSeconds, 0.1F, 3.0F, "%.1f s");
   tooltip("How long each configuration is shown; seconds");
 }
 
@@ -206,8 +218,6 @@ void drawOutput(ViewState& state, Document* document, const PanelFacts& facts, P
     result.resize = glm::uvec2(std::clamp(size[0], 16, 16384), std::clamp(size[1], 16, 16384));
   tooltip("Of the window and the picture; pixels. Press Enter.");
   RenderOptions& first = state.configurations[0].wanted;
-  result.configurationsChanged |= editCount("repeat##--repeat", first.repeat, 1, 10000);
-  tooltip("Frames that the figures of a saved picture are medians of; frames");
   result.configurationsChanged |= editText("figures##--json", first.json);
   tooltip("File for the figures of the last seconds as JSON. Press Enter.");
   editText("folder##-o", state.outputs);

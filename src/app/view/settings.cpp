@@ -26,18 +26,42 @@ std::optional<Pose> poseFrom(const nlohmann::json& json) {
   return isUsable(pose) ? std::optional(pose) : std::nullopt;
 }
 
+/// Takes a member if it is there and of its type.
+template <class Value>
+void take(const nlohmann::json& root, const char* name, Value& value) {
+  try {
+    value = root.value(name, value);
+  } catch (const nlohmann::json::exception&) {
+    return;
+  }
+}
+
+void takeBookmark(const std::string& number, const nlohmann::json& pose, Bookmarks& marks) {
+  if (number.size() != 1 || number[0] < '0' || number[0] >= static_cast<char>('0' + kBookmarks)) return;
+  try {
+    marks[static_cast<std::size_t>(number[0] - '0')] = poseFrom(pose);
+  } catch (const nlohmann::json::exception&) {
+    return;
+  }
+}
+
 void read(const nlohmann::json& root, ViewSettings& settings) {
-  settings.panel = root.value("panel", settings.panel);
-  settings.graph = root.value("graph", settings.graph);
-  settings.speed = root.value("speed", settings.speed);
+  take(root, "panel", settings.panel);
+  take(root, "graph", settings.graph);
+  take(root, "speed", settings.speed);
+  take(root, "width", settings.width);
+  take(root, "height", settings.height);
+  take(root, "layout", settings.layout);
   settings.speed = std::clamp(settings.speed, kLeastSpeed, kMostSpeed);
-  settings.width = std::clamp(root.value("width", settings.width), 64U, 16384U);
-  settings.height = std::clamp(root.value("height", settings.height), 64U, 16384U);
-  settings.layout = root.value("layout", settings.layout);
-  const nlohmann::json all = root.value("bookmarks", nlohmann::json::object());
-  for (const auto& [file, marks] : all.items())
+  settings.width = std::clamp(settings.width, 64U, 16384U);
+  settings.height = std::clamp(settings.height, 64U, 16384U);
+  const auto all = root.find("bookmarks");
+  if (all == root.end() || !all->is_object()) return;
+  for (const auto& [file, marks] : all->items()) {
+    if (!marks.is_object()) continue;
     for (const auto& [number, pose] : marks.items())
-      if (const std::size_t i = std::stoul(number); i < kBookmarks) settings.bookmarks[file][i] = poseFrom(pose);
+      takeBookmark(number, pose, settings.bookmarks[file]);
+  }
 }
 
 }  // namespace
@@ -77,7 +101,7 @@ void saveSettings(const ViewSettings& settings, const std::filesystem::path& fol
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw Error(ErrorCode::kWriteFailed, "cannot make the folder: " + failed.message(), folder);
-  writeFileAtomic(folder / kFileName, root.dump(2) + "\n");
+  writeFileAtomic(folder / kFileName, root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace jalousie::app

@@ -34,12 +34,14 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
       input_(window.handle()),
       interface_(window.handle(), options.scale,
                  options.frames ? std::string() : loadSettings(settingsFolder()).layout),
-      shaderWatch_(options.shaders),
+      shaderWatch_(options.shaders, /*recursive=*/true),
       settingsFolder_(settingsFolder()) {
   if (!options.frames) state_.settings = loadSettings(settingsFolder_);  // a script depends on its options alone
   state_.outputs = options.outputs;
   state_.divider = options.divider;
   state_.playing = options.play;
+  pathStart_ = pathSeconds_ =
+      static_cast<double>(options.render.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
   state_.split = options.split.has_value();
   for (Configuration& configuration : state_.configurations)
     configuration.wanted = options.render;
@@ -69,7 +71,11 @@ bool Viewer::done() const {
 }
 
 void Viewer::touch() {
-  if (state_.selection && !state_.split && !state_.flicker) state_.selection->side = 0;
+  if (!state_.split && !state_.flicker) {
+    if (state_.selection) state_.selection->side = 0;
+    for (const auto& document : documents_)
+      document->forgetFailure(1);
+  }
   dirtyFrames_ = kSettleFrames;
   for (const Configuration& configuration : state_.configurations)
     if (configuration.active.frameOptions.calm) dirtyFrames_ = kCalmFrames;
@@ -86,6 +92,7 @@ void Viewer::step() {
   watchFiles();
   if (width_ == 0 || height_ == 0) {  // minimised: nothing to draw into
     input_.take();
+    drag_ = Drag::kNone;
     glfwWaitEventsTimeout(kIdleSeconds);
     ++framesDone_;
     return;
@@ -139,14 +146,30 @@ RenderOptions Viewer::optionsFor(std::size_t document, int side) const {
   options.scene = documents_[document]->file();
   options.width = std::max(static_cast<std::uint32_t>(region(document).width), 1U);
   options.height = std::max(height_, 1U);
+  options.repeat = 1;
   return options;
 }
 
-std::string Viewer::command(int side, const std::string& output) const {
+std::optional<RenderCameras> Viewer::camerasFor(std::size_t document, int side) {
+  Side* shown = documents_[document]->side(side);
+  if (shown == nullptr) return std::nullopt;
+  try {
+    return renderCameras(optionsFor(document, side), shown->scene(), documents_[document]->path());
+  } catch (const Error& error) {
+    if (state_.message != error.what()) say(error.what());
+    return std::nullopt;
+  }
+}
+
+std::string Viewer::command(int side, const std::string& output, bool absolute) const {
   if (state_.current >= documents_.size()) return {};
   RenderOptions options = optionsFor(state_.current, side);
   const Configuration& configuration = state_.configurations[static_cast<std::size_t>(side)];
   if (configuration.refusal.empty()) options.lv = configuration.wanted.lv;  // automatic stays unsaid
+  for (std::filesystem::path* path : {&options.scene, &options.path, &options.importance}) {
+    std::error_code failed;
+    if (absolute && !path->empty()) *path = std::filesystem::absolute(*path, failed);
+  }
   return renderCommand(options, output);
 }
 
@@ -158,7 +181,8 @@ void Viewer::renderScenes() {
   for (std::size_t i = 0; i < documents_.size(); ++i)
     renderDocument(i);
   if (dirtyFrames_ > 0) --dirtyFrames_;
-  if (dirtyFrames_ == 0 && inspectSoon_) inspect();
+  const bool last = options_.frames && framesDone_ + 1 >= *options_.frames;
+  if (inspectSoon_ && (last || (dirtyFrames_ == 0 && !state_.playing))) inspect();
 }
 
 void Viewer::renderDocument(std::size_t index) {
@@ -170,8 +194,9 @@ void Viewer::renderDocument(std::size_t index) {
     if (scene == nullptr) continue;
     render::FrameRenderer& renderer = scene->renderer();
     renderer.timer().setTiming(window_.capabilities().softwareRenderer ? gl::Timing::kWall : gl::Timing::kGpu);
-    const RenderCameras cameras = renderCameras(options, scene->scene(), document.path());
-    renderer.render(options.frameOptions, cameras.cull, cameras.draw);
+    const std::optional<RenderCameras> cameras = camerasFor(index, side);
+    if (!cameras) continue;
+    renderer.render(options.frameOptions, cameras->cull, cameras->draw);
     if (index != state_.current || side != 0) continue;
     if (charted_ != &document) state_.history.clear();
     charted_ = &document;
@@ -207,13 +232,15 @@ void Viewer::inspect() {
   Side* side = documents_[s.document]->side(s.side);
   if (side == nullptr || s.object >= side->scene().objects.size()) return;
   const RenderOptions options = optionsFor(s.document, s.side);
+  const std::optional<RenderCameras> cameras = camerasFor(s.document, s.side);
+  if (!cameras) return;
   state_.inspection = inspectObject(s.object, side->scene(), side->renderer(), options.frameOptions);
-  const RenderCameras cameras = renderCameras(options, side->scene(), documents_[s.document]->path());
-  side->renderer().render(options.frameOptions, cameras.cull, cameras.draw);
+  side->renderer().render(options.frameOptions, cameras->cull, cameras->draw);
   wakeFrames_ = 3;
 }
 
 ImageRgba8 Viewer::capture() {
+  if (canvas_.width() == 0) throw Error(ErrorCode::kUsage, "the window has no size, so there is no picture");
   for (std::size_t i = 0; i < documents_.size(); ++i) {
     for (int side = 0; side < Document::kSides; ++side) {
       if (side == 1 && !state_.split && !state_.flicker) continue;
@@ -240,13 +267,14 @@ void Viewer::drawOverlays(std::size_t index) {
   const RenderOptions options = optionsFor(index, state_.flicker ? state_.flickerSide : 0);
   Side* side = document.side(0);
   if (side == nullptr) return;
-  const RenderCameras cameras = renderCameras(options, side->scene(), document.path());
+  const std::optional<RenderCameras> cameras = camerasFor(index, 0);
+  if (!cameras) return;
   if (document.camera.frozen())
-    drawFrustum(where, cameras.cull, cameras.draw,
-                glm::length(cameras.cull.positionWorld() - document.boundsWorld().center()) +
+    drawFrustum(where, cameras->cull, cameras->draw,
+                glm::length(cameras->cull.positionWorld() - document.boundsWorld().center()) +
                     0.5F * document.boundsWorld().diagonal());
-  if (state_.inspection && state_.selection && state_.selection->document == index)
-    drawSelection(where, *state_.inspection, cameras.draw, document.camera.frozen());
+  if (state_.inspection && state_.selection && state_.selection->document == index && !state_.playing)
+    drawSelection(where, *state_.inspection, cameras->draw, document.camera.frozen());
   Region left = where;
   if (state_.split && !state_.flicker) left.width = std::round(state_.divider * where.width);
   drawLegend(left, options);

@@ -16,6 +16,7 @@
 #include "app/view/view_options.h"
 #include "app/view/view_state.h"
 #include "asset/scene_file.h"
+#include "core/error.h"
 #include "platform/window.h"
 
 namespace jalousie::app {
@@ -44,7 +45,8 @@ class Viewer {
   /// Where a document's picture is in the window.
   Region region(std::size_t document) const;
   /// `jalousie render ...` for the picture of one configuration of the current document.
-  std::string command(int side, const std::string& output = "frame.png") const;
+  /// @param absolute  paths that hold in any folder
+  std::string command(int side, const std::string& output = "frame.png", bool absolute = false) const;
   /// Renders every picture as from a fresh start and puts them together, without interface. Waits for the GPU.
   ImageRgba8 capture();
   /// The window as it was last shown. Waits for the GPU.
@@ -63,6 +65,8 @@ class Viewer {
   void drawOverlays(std::size_t index);
   void applyPanel(const PanelResult& result);
   void showTitle();
+  /// Cameras of a picture; nothing, and why in the message, where none can stand.
+  std::optional<RenderCameras> camerasFor(std::size_t document, int side);
   RenderOptions optionsFor(std::size_t document, int side) const;
   bool shows(int side) const;
   double now() const;
@@ -79,10 +83,10 @@ class Viewer {
   void pick(const glm::vec2& at);
   void select(std::size_t document, int side, std::uint32_t object);
   void movePose(const Pose& pose);
-  /// Whether a document's camera is the current one's.
-  bool follows(std::size_t document) const;
+  /// Whether a document's camera is that of another.
+  bool follows(std::size_t document, std::size_t leader) const;
   Pose currentPose();
-  scene::Camera currentCamera();
+  scene::Camera cameraOf(std::size_t document);
   void useBookmark(std::size_t number, bool set);
   void cycle(const char* option, int step);
   void freezeOrThaw();
@@ -96,6 +100,7 @@ class Viewer {
   void watchFiles();
   void playPath(double seconds);
   void recordPose();
+  std::size_t recordedIndex() const;
   void stopRecording();
   void saveRecording();
   void keepSettings();
@@ -133,8 +138,11 @@ class Viewer {
   double lastStep_ = 0.0;
   double lastWatch_ = 0.0;
   double pathSeconds_ = 0.0;
+  double pathStart_ = 0.0;
   double recordStart_ = 0.0;
   asset::CameraTrack recorded_;
+  const Document* recordsFrom_ = nullptr;  ///< whose camera is recorded
+  std::vector<Error> failures_;            ///< what a script asked for and did not get
 
   enum class Drag { kNone, kTurn, kPan, kLook, kDivider };
   Drag drag_ = Drag::kNone;

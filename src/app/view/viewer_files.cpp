@@ -11,6 +11,7 @@
 #include "app/record_command.h"
 #include "app/view/viewer.h"
 #include "asset/image_io.h"
+#include "core/check.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -29,9 +30,11 @@ void Viewer::say(const std::string& message) {
 }
 
 void Viewer::open(const std::filesystem::path& file) {
-  if (documents_.size() == kMostDocuments)
-    return say(
-        fmt::format("{} is not opened: {} files side by side are the most", file.filename().string(), kMostDocuments));
+  if (documents_.size() == kMostDocuments) {
+    failures_.emplace_back(ErrorCode::kUsage,
+                           fmt::format("is not opened: {} files side by side are the most", kMostDocuments), file);
+    return say(failures_.back().what());
+  }
   const CameraChoice camera = CameraChoice::of(options_.render);
   documents_.push_back(std::make_unique<Document>(file, camera));
   starts_.push_back(camera);
@@ -70,7 +73,7 @@ void Viewer::closeCurrent() {
 void Viewer::attempt(const std::function<void()>& task) {
   try {
     task();
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     say(error.what());
   }
 }
@@ -105,9 +108,15 @@ void Viewer::playPath(double seconds) {
     state_.flickerSide = side;
   }
   if (!state_.playing) return;
+  if (!loading() && std::all_of(documents_.begin(), documents_.end(),
+                                [](const auto& document) { return document->pathFrames() == 0; })) {
+    state_.playing = false;
+    failures_.emplace_back(ErrorCode::kUsage, "--play: no file has a camera path");
+    return say(failures_.back().what());
+  }
   // A script counts frames, people watch the clock.
   if (options_.frames)
-    pathSeconds_ = framesDone_ / static_cast<double>(scene::kPathRate);
+    pathSeconds_ = pathStart_ + framesDone_ / static_cast<double>(scene::kPathRate);
   else
     pathSeconds_ += seconds;
   for (const auto& document : documents_) {
@@ -120,12 +129,20 @@ void Viewer::playPath(double seconds) {
   inspectSoon_ = state_.selection.has_value();
 }
 
+std::size_t Viewer::recordedIndex() const {
+  const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                  [&](const auto& document) { return document.get() == recordsFrom_; });
+  const bool isOpen = found != documents_.end();
+  JAL_CHECK(isOpen);
+  return static_cast<std::size_t>(found - documents_.begin());
+}
+
 void Viewer::recordPose() {
-  if (!state_.recording || current() == nullptr) return;
+  if (!state_.recording) return;
   const auto frame = static_cast<std::uint32_t>((now() - recordStart_) * static_cast<double>(scene::kPathRate));
   const bool isNew = recorded_.translationTimes.empty() ||
                      static_cast<float>(frame) / scene::kPathRate > recorded_.translationTimes.back();
-  if (isNew) addPose(recorded_, recorded_.translationTimes.empty() ? 0 : frame, currentCamera());
+  if (isNew) addPose(recorded_, recorded_.translationTimes.empty() ? 0 : frame, cameraOf(recordedIndex()));
 }
 
 void Viewer::stopRecording() {
@@ -137,9 +154,10 @@ void Viewer::stopRecording() {
 void Viewer::saveRecording() {
   if (recorded_.translationTimes.empty()) return say("nothing was recorded");
   const std::filesystem::path file = freshOutput("jalousie-path", ".glb");
-  const std::uint32_t frames = savePath(recorded_, currentCamera().fovY, current()->boundsWorld(), file);
+  const std::size_t recorded = recordedIndex();
+  const std::uint32_t frames = savePath(recorded_, cameraOf(recorded).fovY, documents_[recorded]->boundsWorld(), file);
   for (std::size_t i = 0; i < documents_.size(); ++i) {
-    if (!follows(i)) continue;
+    if (!follows(i, recorded)) continue;
     documents_[i]->camera.path = file;
     documents_[i]->loadPath();
   }
@@ -156,6 +174,10 @@ void Viewer::keepSettings() {
     state_.settings.width = static_cast<std::uint32_t>(width);
     state_.settings.height = static_cast<std::uint32_t>(height);
   }
+  // Another viewer may have set some meanwhile.
+  for (const auto& [file, marks] : loadSettings(settingsFolder_).bookmarks)
+    for (std::size_t i = 0; i < kBookmarks; ++i)
+      if (std::optional<Pose>& ours = state_.settings.bookmarks[file][i]; !ours) ours = marks[i];
   saveSettings(state_.settings, settingsFolder_);
 }
 
@@ -178,14 +200,17 @@ std::filesystem::path Viewer::freshOutput(const char* stem, const char* extensio
 }
 
 void Viewer::writeJson(const std::filesystem::path& file) const {
-  writeFileAtomic(file, state_.history.json(window_.capabilities().renderer, !window_.capabilities().softwareRenderer));
+  const std::string text =
+      state_.history.json(window_.capabilities().renderer, !window_.capabilities().softwareRenderer);
+  file == "-" ? fmt::print("{}", text) : writeFileAtomic(file, text);
 }
 
 void Viewer::finish() {
-  if (state_.recording && current() != nullptr) saveRecording();
+  if (state_.recording) saveRecording();
   if (options_.frames)
     for (const auto& document : documents_)
       if (!document->error().empty()) throw Error(document->errorCode(), document->error());
+  if (options_.frames && !failures_.empty()) throw failures_.front();
   if (!options_.screenshot.empty())
     asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot);
   if (!options_.json.empty()) writeJson(options_.json);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/view/viewer.h"
+#include "core/error.h"
 
 namespace jalousie::app {
 namespace {
@@ -101,7 +102,7 @@ void Viewer::handleMove(const InputEvent& event) {
   if (drag_ == Drag::kNone || by == glm::vec2(0.0F)) return;
   if (drag_ == Drag::kDivider) {
     const Region where = region(state_.current);
-    state_.divider = std::clamp((event.at.x - where.x) / where.width, 0.0F, 1.0F);
+    state_.divider = std::clamp((event.at.x - where.x) / std::max(where.width, 1.0F), 0.0F, 1.0F);
     return;
   }
   if (!dragged_ && glm::length(event.at - dragFrom_) < kClickPixels * interface_.scale()) return;
@@ -114,7 +115,7 @@ void Viewer::handleMove(const InputEvent& event) {
   else if (drag_ == Drag::kLook)
     movePose(turned(pose, -kRadiansPerPixel * moved.x, -kRadiansPerPixel * moved.y));
   else
-    movePose(panned(pose, moved.x, -moved.y, scene::focalPixels(currentCamera(), height_)));
+    movePose(panned(pose, moved.x, -moved.y, scene::focalPixels(cameraOf(state_.current), height_)));
 }
 
 void Viewer::handleWheel(const InputEvent& event) {
@@ -140,30 +141,28 @@ void Viewer::flyByKeys(double seconds) {
       moved(currentPose(), static_cast<float>(seconds) * kFlightShare * diagonal * state_.settings.speed * direction));
 }
 
-scene::Camera Viewer::currentCamera() {
-  Document& document = *current();
-  const RenderOptions options = optionsFor(state_.current, 0);
-  Side* side = document.side(0);
-  if (side == nullptr) return scene::frameBox(document.boundsWorld(), 1.0F);
-  return renderCameras(options, side->scene(), document.path()).draw;
+scene::Camera Viewer::cameraOf(std::size_t index) {
+  const std::optional<RenderCameras> cameras = camerasFor(index, 0);
+  return cameras ? cameras->draw : scene::frameBox(documents_[index]->boundsWorld(), 1.0F);
 }
 
 Pose Viewer::currentPose() {
   Document& document = *current();
   if (document.camera.pose) return *document.camera.pose;
-  const scene::Camera camera = currentCamera();
+  const scene::Camera camera = cameraOf(state_.current);
   return poseOf(camera, targetDistance(camera, document.boundsWorld()));
 }
 
-bool Viewer::follows(std::size_t document) const {
-  return document == state_.current ||
-         (state_.linked && areAlike(documents_[document]->boundsWorld(), documents_[state_.current]->boundsWorld()));
+bool Viewer::follows(std::size_t document, std::size_t leader) const {
+  return document == leader ||
+         (state_.linked && areAlike(documents_[document]->boundsWorld(), documents_[leader]->boundsWorld()));
 }
 
 void Viewer::movePose(const Pose& pose) {
+  if (!isUsable(pose)) return;
   state_.playing = false;
   for (std::size_t i = 0; i < documents_.size(); ++i) {
-    if (!follows(i)) continue;
+    if (!follows(i, state_.current)) continue;
     documents_[i]->camera.pose = pose;
     documents_[i]->camera.frame.reset();
   }
@@ -175,7 +174,9 @@ void Viewer::useBookmark(std::size_t number, bool set) {
   std::error_code failed;
   Bookmarks& marks = state_.settings.bookmarks[std::filesystem::absolute(current()->file(), failed).string()];
   if (set) {
-    marks[number] = currentPose();
+    const Pose pose = currentPose();
+    if (!isUsable(pose)) return;
+    marks[number] = pose;
     say(fmt::format("bookmark {} set", number + 1));
     return attempt([&] { keepSettings(); });
   }
@@ -245,6 +246,9 @@ void Viewer::select(std::size_t document, int side, std::uint32_t object) {
   const std::vector<gpu::Object>& objects = made->scene().objects;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
     if (objects[i].instance == object) state_.selection = Selection{document, side, i};
+  if (!state_.selection)
+    failures_.emplace_back(ErrorCode::kUsage, fmt::format("--select {}: there is no such object", object),
+                           documents_[document]->file());
   touch();
 }
 
@@ -307,27 +311,29 @@ void Viewer::act(Action action) {
     case Action::kClose:
       return closeCurrent();
     case Action::kFrame: {
-      const scene::Camera camera = currentCamera();
+      const scene::Camera camera = cameraOf(state_.current);
       const Region where = region(state_.current);
       const Aabb box = state_.inspection ? state_.inspection->boundsWorld : document->boundsWorld();
-      return movePose(framed(currentPose(), box, camera.fovY, where.width / where.height));
+      return movePose(framed(currentPose(), box, camera.fovY, std::max(where.width, 1.0F) / where.height));
     }
     case Action::kFreeze:
       return freezeOrThaw();
     case Action::kPlay:
-      if (document->pathFrames() == 0) return say("the file has no camera path: record one, or name one");
+      if (!state_.playing && document->pathFrames() == 0)
+        return say("the file has no camera path: record one, or name one");
       state_.playing = !state_.playing;
       pathSeconds_ = static_cast<double>(document->camera.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
       return touch();
     case Action::kRecord:
       if (state_.recording) return stopRecording();
       state_.recording = true;
+      recordsFrom_ = document;
       recordStart_ = now();
       recorded_ = {};
       return say("recording: Ctrl+R stops");
     case Action::kCopyCommand:
-      glfwSetClipboardString(window_.handle(), command(0).c_str());
-      return say("copied: " + command(0));
+      glfwSetClipboardString(window_.handle(), command(0, "frame.png", /*absolute=*/true).c_str());
+      return say("copied: " + command(0, "frame.png", /*absolute=*/true));
     default:
       return;
   }
