@@ -74,8 +74,8 @@ FrameRenderer::Targets::Targets(std::uint32_t width, std::uint32_t height)
 
 void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
   targets_ = Targets(width, height);
-  map_ = visibility::OcclusionMapPass(visibility::mapLayout(width, height), &targets_.depth);
-  pyramid_ = visibility::DepthPyramidPass(visibility::mapLayout(width, height), capabilities_);
+  map_.resize(visibility::mapLayout(width, height), &targets_.depth);
+  pyramid_.resize(visibility::mapLayout(width, height));
   views_.resize();
   width_ = width;
   height_ = height;

@@ -74,7 +74,10 @@ Camera frameBox(const Aabb& sceneWorld, float aspect) {
   }
   const glm::vec3 towardsEye = glm::normalize(glm::vec3(0.35F, 0.4F, 1.0F));
   const glm::vec3 center = sceneWorld.center();
-  Camera camera = lookAt(center + towardsEye, center, sceneWorld);
+  // Far from the origin rounding swallows the step: only the direction matters, the place is set below.
+  const bool lost = glm::length(center + towardsEye - center - towardsEye) > 1e-3F;
+  Camera camera =
+      lost ? lookAt(towardsEye, glm::vec3(0.0F), sceneWorld) : lookAt(center + towardsEye, center, sceneWorld);
   const float tanY = std::tan(0.5F * camera.fovY);
   const glm::mat3 cameraFromWorld = glm::transpose(glm::mat3(camera.worldFromCamera));
   // The distance at which the last of the eight corners enters the view.
@@ -119,7 +122,8 @@ std::uint32_t frameCount(const asset::Camera& recorded) {
   float last = 0.0F;
   if (!recorded.track.translationTimes.empty()) last = std::max(last, recorded.track.translationTimes.back());
   if (!recorded.track.rotationTimes.empty()) last = std::max(last, recorded.track.rotationTimes.back());
-  return static_cast<std::uint32_t>(std::floor(last * kPathRate + 0.5F)) + 1;
+  constexpr float kMostFrames = 1e9F;
+  return static_cast<std::uint32_t>(std::clamp(std::floor(last * kPathRate + 0.5F), 0.0F, kMostFrames)) + 1;
 }
 
 }  // namespace jalousie::scene

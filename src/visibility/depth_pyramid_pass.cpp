@@ -38,17 +38,29 @@ gl::Handle<gl::SamplerTraits> makeSampler(GLint minFilter, GLint magFilter) {
 DepthPyramidPass::DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities)
     : layout_(layout),
       minMaxFilter_(capabilities.minMaxFilter),
-      texture_(GL_TEXTURE_2D, GL_R32F,
-               {layout.levelWidth(1), layout.levelHeight(1), 1, std::max(layout.levels - 1, 1U)}, "depth pyramid"),
+      texture_(makeTexture(layout)),
       edgeSampler_(makeSampler(GL_NEAREST, GL_NEAREST)),
       firstProgram_(programSource(ProgramId::kReduceDepthFirst)),
       firstCoveredProgram_(programSource(ProgramId::kReduceDepthFirstCovered)),
       reduceProgram_(programSource(minMaxFilter_ ? ProgramId::kReduceDepthMinMax : ProgramId::kReduceDepth)),
       views_(makeViews(layout)) {
-  texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
   if (!minMaxFilter_) return;
   minSampler_ = makeSampler(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
   glSamplerParameteri(minSampler_.id(), GL_TEXTURE_REDUCTION_MODE_ARB, GL_MIN);
+}
+
+gl::Texture DepthPyramidPass::makeTexture(const MapLayout& layout) {
+  gl::Texture texture(GL_TEXTURE_2D, GL_R32F,
+                      {layout.levelWidth(1), layout.levelHeight(1), 1, std::max(layout.levels - 1, 1U)},
+                      "depth pyramid");
+  texture.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+void DepthPyramidPass::resize(const MapLayout& layout) {
+  texture_ = makeTexture(layout);
+  views_ = makeViews(layout);
+  layout_ = layout;
 }
 
 void DepthPyramidPass::build(const gl::Texture& depth, DepthSource source) const {

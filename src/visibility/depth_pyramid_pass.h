@@ -21,6 +21,8 @@ enum class DepthSource {
 class DepthPyramidPass {
  public:
   DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities);
+  /// Another size; keeps the programs.
+  void resize(const MapLayout& layout);
 
   const MapLayout& layout() const { return layout_; }
   /// Level L of the screen (L >= 1) is level L - 1 of this texture.
@@ -31,6 +33,8 @@ class DepthPyramidPass {
   std::vector<float> readLevel(std::uint32_t level) const;
 
  private:
+  static gl::Texture makeTexture(const MapLayout& layout);
+
   MapLayout layout_;
   bool minMaxFilter_;
   gl::Texture texture_;

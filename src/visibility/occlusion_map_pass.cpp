@@ -2,6 +2,7 @@
 #include "visibility/occlusion_map_pass.h"
 
 #include <array>
+#include <utility>
 
 #include "core/check.h"
 #include "shared/limits.h"
@@ -10,10 +11,17 @@
 namespace jalousie::visibility {
 
 OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth)
+    : OcclusionMapPass(layout, depth, gl::Program(programSource(ProgramId::kReduceMap))) {}
+
+void OcclusionMapPass::resize(const MapLayout& layout, const gl::Texture* depth) {
+  *this = OcclusionMapPass(layout, depth, std::move(reduceProgram_));
+}
+
+OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth, gl::Program reduceProgram)
     : layout_(layout),
       texture_(GL_TEXTURE_2D, GL_R32F, {layout.width, layout.height, 1, layout.levels}, "occlusion map"),
       framebuffer_(texture_, nullptr, "occlusion map level 0"),
-      reduceProgram_(programSource(ProgramId::kReduceMap)) {
+      reduceProgram_(std::move(reduceProgram)) {
   texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
   if (depth != nullptr) depthFramebuffer_.emplace(texture_, depth, "occlusion map level 0 with depth");
   texture_.clear(0, 0.0F);  // the padding around the screen has no open pixels, now and for ever

@@ -15,6 +15,8 @@ class OcclusionMapPass {
  public:
   /// @param depth  GL_DEPTH_COMPONENT32F of the screen's size, for occluders drawn with a depth test; may be null
   OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth);
+  /// Another size; keeps the program.
+  void resize(const MapLayout& layout, const gl::Texture* depth);
 
   const MapLayout& layout() const { return layout_; }
   const gl::Texture& texture() const { return texture_; }
@@ -28,6 +30,8 @@ class OcclusionMapPass {
   std::vector<float> readOpenPixels() const;
 
  private:
+  OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth, gl::Program reduceProgram);
+
   MapLayout layout_;
   gl::Texture texture_;
   gl::Framebuffer framebuffer_;

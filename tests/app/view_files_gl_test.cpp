@@ -143,6 +143,19 @@ TEST_F(ViewFiles, AGhostShaderThatBreaksIsAMessageToo) {
   log_->clear();  // the compiler's own complaint
 }
 
+TEST_F(ViewFiles, ALayoutThatIsNoLayoutIsNotBelieved) {
+  fs::create_directories(folder_ / "config/jalousie");
+  for (const char* layout : {R"([Table][0x00000001,-100]\nRefScale=13\nColumn 0 Width=5\n)",
+                             R"([Table][0x00000001,2000000000]\nColumn 0 Width=5\n)", R"([Window][jalousie]\nPos=x)"}) {
+    std::ofstream(folder_ / "config/jalousie/view.json") << "{\"layout\": \"" << layout << "\", \"width\": -5}";
+    viewer_.reset();
+    log_.reset();
+    window_.reset();
+    if (!openScene()) GTEST_SKIP() << "no display";
+    EXPECT_TRUE(viewer_->idle());
+  }
+}
+
 TEST_F(ViewFiles, ARecordingStaysWithItsFile) {
   test::writeSpheres(folder_ / "wide.glb", 25);
   app::ViewOptions options;
@@ -261,6 +274,20 @@ TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
   EXPECT_EQ(viewer_->capture().pixels, before) << "the last good program goes on";
   settle();
   log_->clear();  // the compiler's own complaint about the shader that this test broke
+  replaceText(shaders / "visibility/reduce_depth.comp", "void main() {", "void main() { nonsense;");
+  replaceText(shaders / "visibility/reduce_map.comp", "void main() {", "void main() { nonsense;");
+  glfwSetWindowSize(window_->handle(), 500, 300);
+  for (int i = 0; i < 10; ++i)
+    viewer_->step();
+  EXPECT_NE(viewer_->document(0).side(0), nullptr) << "another size needs no new program";
+  glfwSetWindowSize(window_->handle(), kWidth, kHeight);
+  for (int i = 0; i < 10; ++i)
+    viewer_->step();
+  EXPECT_EQ(viewer_->capture().pixels, before);
+  settle();
+  log_->clear();
+  replaceText(shaders / "visibility/reduce_depth.comp", "void main() { nonsense;", "void main() {");
+  replaceText(shaders / "visibility/reduce_map.comp", "void main() { nonsense;", "void main() {");
   replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - nonsense(", "return vec3(0.5) - 0.5 * exp(");
   EXPECT_TRUE(waitFor([&] { return state().shaderError.empty(); }));
   settle();

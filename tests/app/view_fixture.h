@@ -168,6 +168,22 @@ class ViewTest : public testing::Test {
     settle();
   }
 
+  /// The window itself, as it was shown last: row 0 at the top.
+  static std::vector<std::uint8_t> shown(std::uint32_t width, std::uint32_t height) {
+    std::vector<std::uint8_t> rows(std::size_t{4} * width * height);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glReadBuffer(GL_BACK);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height), GL_RGBA, GL_UNSIGNED_BYTE,
+                 rows.data());
+    std::vector<std::uint8_t> pixels;
+    for (std::size_t y = height; y-- > 0;)
+      pixels.insert(pixels.end(), rows.begin() + static_cast<std::ptrdiff_t>(4 * width * y),
+                    rows.begin() + static_cast<std::ptrdiff_t>(4 * width * (y + 1)));
+    for (std::size_t i = 3; i < pixels.size(); i += 4)
+      pixels[i] = 255;
+    return pixels;
+  }
   static ImageRgba8 columns(const ImageRgba8& image, std::uint32_t from, std::uint32_t count) {
     ImageRgba8 part{count, image.height, {}};
     for (std::uint32_t y = 0; y < image.height; ++y)

@@ -161,6 +161,14 @@ TEST_F(ViewWindow, OddSizesOddWindows) {
     window_->framebufferSize(width, height);
     EXPECT_EQ(width, static_cast<std::uint32_t>(size.x));
     EXPECT_EQ(height, static_cast<std::uint32_t>(size.y));
+    std::vector<std::uint8_t> drawn = viewer_->captureWithInterface().pixels;
+    for (std::size_t i = 3; i < drawn.size(); i += 4)
+      drawn[i] = 255;  // the window's has no meaning
+    const std::vector<std::uint8_t> seen = shown(width, height);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      wrong += drawn[i] != seen[i] ? 1 : 0;
+    EXPECT_EQ(wrong, 0U) << "what the window itself shows";
     expectHeadlessEqual("another size");
   }
   glfwIconifyWindow(window_->handle());

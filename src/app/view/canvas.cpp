@@ -32,6 +32,8 @@ void Canvas::copy(const gl::Texture& source, std::uint32_t fromX, std::uint32_t 
 void Canvas::show() const {
   const auto w = static_cast<GLint>(width_);
   const auto h = static_cast<GLint>(height_);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drivers learn a window's new size when it is bound, not when it is named
+  glViewport(0, 0, w, h);
   glBlitNamedFramebuffer(framebuffer_->id(), 0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 

@@ -108,6 +108,15 @@ void Document::load() {
   loadPath(first);
 }
 
+void Document::keepFrozenCamera() {
+  if (!camera.freezeFrame || path_.empty()) return;
+  const scene::Camera frozen = scene::cameraAtFrame(path_.front(), *camera.freezeFrame);
+  const Pose pose = poseOf(frozen, targetDistance(frozen, boundsWorld_));
+  if (!isUsable(pose)) return;
+  camera.freezePose = pose;
+  camera.freezeFrame.reset();
+}
+
 void Document::loadPath(bool refusesFrames) {
   if (!scene_) return;
   failures_[kPath] = {};
@@ -172,7 +181,8 @@ std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
   try {
     std::array<std::unique_ptr<Side>, kSides> fresh;
     for (std::size_t i = 0; i < kSides; ++i)
-      if (sides_[i] != nullptr && scene_) fresh[i] = std::make_unique<Side>(*scene_, options[i]);
+      if (sides_[i] != nullptr && scene_ && sides_[i]->fits(options[i]))
+        fresh[i] = std::make_unique<Side>(*scene_, options[i]);
     for (std::size_t i = 0; i < kSides; ++i)
       if (fresh[i] != nullptr) sides_[i] = std::move(fresh[i]);
     return {};

@@ -70,6 +70,8 @@ class Document {
   bool wasLoaded() const { return wasLoaded_; }
   /// As FileWatch::changed of the file and of what it names.
   bool changedOnDisk() { return watch_.changed(); }
+  /// A culling camera that is frozen at a frame stays where it is when the path becomes another one.
+  void keepFrozenCamera();
   /// Reads the camera path of camera.path, or the scene's own; frames beyond it become its last.
   /// @param refusesFrames  such a frame is an error, as it was asked for
   void loadPath(bool refusesFrames = false);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "core/error.h"
 
@@ -52,6 +53,19 @@ void style(float scale) {
   s.ScaleAllSizes(scale);
 }
 
+/// The places of windows in a text of the library's own form, and nothing else: its parser trusts the rest.
+std::string windowPlaces(const std::string& text) {
+  std::string places;
+  std::istringstream lines(text);
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[")) inside = line.starts_with("[Window][") && line.ends_with("]");
+    const bool place = line.starts_with("Pos=") || line.starts_with("Size=") || line.starts_with("Collapsed=");
+    if (inside && (place || line.starts_with("["))) places += line + "\n";
+  }
+  return places;
+}
+
 /// From the window's screen coordinates, where these are not pixels, to pixels: overlays share their frame with
 /// pictures.
 void usePixels() {
@@ -72,7 +86,8 @@ Interface::Interface(GLFWwindow* window, float scale, const std::string& layout)
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
-  if (!layout.empty()) ImGui::LoadIniSettingsFromMemory(layout.c_str(), layout.size());
+  const std::string places = windowPlaces(layout);
+  if (!places.empty()) ImGui::LoadIniSettingsFromMemory(places.c_str(), places.size());
   if (!ImGui_ImplGlfw_InitForOpenGL(window, true) || !ImGui_ImplOpenGL3_Init("#version 450 core"))
     throw Error(ErrorCode::kShader, "the interface cannot be drawn with this OpenGL");
   useScale(followsDisplay_ ? displayScale(window) : scale);
@@ -117,7 +132,7 @@ bool Interface::wantsKeys() const {
 std::string Interface::layout() const {
   std::size_t size = 0;
   const char* text = ImGui::SaveIniSettingsToMemory(&size);
-  return {text, size};
+  return windowPlaces({text, size});
 }
 
 }  // namespace jalousie::app

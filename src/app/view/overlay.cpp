@@ -272,7 +272,7 @@ void drawFileName(const Region& region, const std::string& name, bool isCurrent)
 }
 
 void drawNotice(const Region& region, const std::string& title, const std::string& text) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
   const Clip clip(list, region);
   const float wrap = std::max(std::min(0.7F * region.width, 50.0F * unit()), 6.0F * unit());
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);

@@ -33,7 +33,7 @@ void drawLegend(const Region& region, const RenderOptions& options);
 /// The name of a file at the top of its region, and the border to the one left of it.
 void drawFileName(const Region& region, const std::string& name, bool isCurrent);
 
-/// A text in a box over the middle of a region, several lines wide.
+/// A text in a box over the middle of a region, several lines wide; over the windows too, as it must be read.
 void drawNotice(const Region& region, const std::string& title, const std::string& text);
 
 /// sRGB bytes of the heat scale of the views. @param t  in [0, 1]

@@ -160,7 +160,10 @@ bool editPose(const char* eye, const char* look, std::optional<Pose>& pose) {
 }
 
 void drawPathWidgets(ViewState& state, Document& document, PanelResult& result) {
-  if (editText("path##--path", document.camera.path)) {
+  std::filesystem::path path = document.camera.path;
+  if (editText("path##--path", path)) {
+    document.keepFrozenCamera();
+    document.camera.path = path;
     document.loadPath();
     result.camerasChanged = true;
   }

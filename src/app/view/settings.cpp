@@ -36,6 +36,13 @@ void take(const nlohmann::json& root, const char* name, Value& value) {
   }
 }
 
+/// Side of the window: a sensible one or the usual one.
+void takeSide(const nlohmann::json& root, const char* name, std::uint32_t& side) {
+  std::int64_t value = side;
+  take(root, name, value);
+  if (value >= 64 && value <= 16384) side = static_cast<std::uint32_t>(value);
+}
+
 void takeBookmark(const std::string& number, const nlohmann::json& pose, Bookmarks& marks) {
   if (number.size() != 1 || number[0] < '0' || number[0] >= static_cast<char>('0' + kBookmarks)) return;
   try {
@@ -49,12 +56,10 @@ void read(const nlohmann::json& root, ViewSettings& settings) {
   take(root, "panel", settings.panel);
   take(root, "graph", settings.graph);
   take(root, "speed", settings.speed);
-  take(root, "width", settings.width);
-  take(root, "height", settings.height);
+  takeSide(root, "width", settings.width);
+  takeSide(root, "height", settings.height);
   take(root, "layout", settings.layout);
   settings.speed = std::clamp(settings.speed, kLeastSpeed, kMostSpeed);
-  settings.width = std::clamp(settings.width, 64U, 16384U);
-  settings.height = std::clamp(settings.height, 64U, 16384U);
   const auto all = root.find("bookmarks");
   if (all == root.end() || !all->is_object()) return;
   for (const auto& [file, marks] : all->items()) {

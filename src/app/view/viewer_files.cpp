@@ -119,9 +119,10 @@ void Viewer::playPath(double seconds) {
     pathSeconds_ = pathStart_ + framesDone_ / static_cast<double>(scene::kPathRate);
   else
     pathSeconds_ += seconds;
-  for (const auto& document : documents_) {
+  for (std::size_t i = 0; i < documents_.size(); ++i) {
+    const auto& document = documents_[i];
     const std::uint32_t frames = document->pathFrames();
-    if (frames == 0) continue;
+    if (frames == 0 || (!options_.frames && !follows(i, state_.current))) continue;
     const double frame = std::floor(pathSeconds_ * static_cast<double>(scene::kPathRate) + 1e-6);
     document->camera.frame = static_cast<float>(std::fmod(frame, static_cast<double>(frames)));
     document->camera.pose.reset();
@@ -158,6 +159,7 @@ void Viewer::saveRecording() {
   const std::uint32_t frames = savePath(recorded_, cameraOf(recorded).fovY, documents_[recorded]->boundsWorld(), file);
   for (std::size_t i = 0; i < documents_.size(); ++i) {
     if (!follows(i, recorded)) continue;
+    documents_[i]->keepFrozenCamera();
     documents_[i]->camera.path = file;
     documents_[i]->loadPath();
   }
@@ -206,15 +208,26 @@ void Viewer::writeJson(const std::filesystem::path& file) const {
 }
 
 void Viewer::finish() {
-  if (state_.recording) saveRecording();
   if (options_.frames)
     for (const auto& document : documents_)
-      if (!document->error().empty()) throw Error(document->errorCode(), document->error());
-  if (options_.frames && !failures_.empty()) throw failures_.front();
-  if (!options_.screenshot.empty())
+      if (!document->error().empty()) failures_.emplace_back(document->errorCode(), document->error());
+  const bool inVain = options_.frames && !failures_.empty();
+  // Each as if the others had not failed; the first failure is told.
+  const auto attemptStep = [&](bool wanted, const std::function<void()>& task) {
+    try {
+      if (wanted) task();
+    } catch (const Error& error) {
+      failures_.push_back(error);
+    }
+  };
+  if (!options_.frames) failures_.clear();  // people have read them
+  attemptStep(true, [&] { keepSettings(); });
+  attemptStep(state_.recording, [&] { saveRecording(); });
+  attemptStep(!options_.screenshot.empty() && !inVain, [&] {
     asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot);
-  if (!options_.json.empty()) writeJson(options_.json);
-  keepSettings();
+  });
+  attemptStep(!options_.json.empty() && !inVain, [&] { writeJson(options_.json); });
+  if (!failures_.empty()) throw Error(failures_.front());
 }
 
 }  // namespace jalousie::app

@@ -305,8 +305,12 @@ void Viewer::act(Action action) {
   if (document == nullptr) return;
   switch (action) {
     case Action::kReset:
-      document->camera = starts_[state_.current];
-      document->loadPath();
+      state_.playing = false;
+      for (std::size_t i = 0; i < documents_.size(); ++i) {
+        if (!follows(i, state_.current)) continue;
+        documents_[i]->camera = starts_[i];
+        documents_[i]->loadPath();
+      }
       return touch();
     case Action::kClose:
       return closeCurrent();
