@@ -19,6 +19,11 @@ class ViewFiles : public test::ViewTest {
       viewer_->step();
     return condition();
   }
+  /// The shaders of the source tree, to be broken.
+  fs::path copyShaders() {
+    fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", folder_ / "shaders", fs::copy_options::recursive);
+    return folder_ / "shaders";
+  }
   static void replaceText(const fs::path& file, const std::string& from, const std::string& to) {
     std::ifstream in(file);
     std::string text(std::istreambuf_iterator<char>(in), {});
@@ -111,8 +116,7 @@ TEST_F(ViewFiles, WhatAFileNamesIsWatchedToo) {
 }
 
 TEST_F(ViewFiles, ABrokenShaderAtTheStartIsMendedLater) {
-  const fs::path shaders = folder_ / "shaders";
-  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  const fs::path shaders = copyShaders();
   replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - exp(", "return vec3(1.0) - nonsense(");
   app::ViewOptions options;
   options.files = {scene()};
@@ -129,8 +133,7 @@ TEST_F(ViewFiles, ABrokenShaderAtTheStartIsMendedLater) {
 }
 
 TEST_F(ViewFiles, AGhostShaderThatBreaksIsAMessageToo) {
-  const fs::path shaders = folder_ / "shaders";
-  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  const fs::path shaders = copyShaders();
   app::ViewOptions options;
   options.files = {scene()};
   options.render.view = "ghosts";
@@ -260,8 +263,7 @@ TEST_F(ViewFiles, PanelTakesThePointerAndChangesThePicture) {
 }
 
 TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
-  const fs::path shaders = folder_ / "shaders";
-  fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", shaders, fs::copy_options::recursive);
+  const fs::path shaders = copyShaders();
   app::ViewOptions options;
   options.files = {scene()};
   options.shaders = shaders;

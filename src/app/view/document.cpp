@@ -16,11 +16,10 @@
 namespace jalousie::app {
 namespace {
 
-/// What a renderer is made for, as a text that differs when another one is needed.
+/// What a renderer is made for, its size aside, as a text that differs when another one is needed.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}x{}|{}", options.detail == "tessellation", options.draws, options.coreOnly,
-                     options.rendererOptions.capacity.value_or(0), options.width, options.height,
-                     options.importance.string());
+  return fmt::format("{}|{}|{}|{}|{}", options.detail, options.draws, options.coreOnly,
+                     options.rendererOptions.capacity.value_or(0), options.importance.string());
 }
 
 }  // namespace
@@ -28,18 +27,14 @@ std::string keyOf(const RenderOptions& options) {
 Side::Side(const asset::SceneFile& file, const RenderOptions& options)
     : scene_(scene::buildScene(file, {.patches = options.detail == "tessellation"})),
       rendererOptions_(options.rendererOptions),
-      mask_(options.importance),
-      patches_(options.detail == "tessellation") {
-  if (!mask_.empty()) importance_.emplace(asset::loadImage(mask_));
+      madeFor_(keyOf(options)) {
+  if (!options.importance.empty()) importance_.emplace(asset::loadImage(options.importance));
   rendererOptions_.importance = importance_ ? &*importance_ : nullptr;
   renderer_.emplace(scene_, options.width, options.height, rendererOptions_);
 }
 
 bool Side::fits(const RenderOptions& options) const {
-  return patches_ == (options.detail == "tessellation") && mask_ == options.importance &&
-         rendererOptions_.submission == options.rendererOptions.submission &&
-         rendererOptions_.fastPaths == options.rendererOptions.fastPaths &&
-         rendererOptions_.capacity == options.rendererOptions.capacity;
+  return madeFor_ == keyOf(options);
 }
 
 void Side::resize(std::uint32_t width, std::uint32_t height) {
@@ -146,7 +141,7 @@ Side* Document::prepare(int index, const RenderOptions& options) {
   const auto i = static_cast<std::size_t>(index);
   std::unique_ptr<Side>& side = sides_[i];
   if (!scene_) return nullptr;
-  const std::string key = keyOf(options);
+  const std::string key = fmt::format("{}x{}|{}", options.width, options.height, keyOf(options));
   if (failedFor_[i] == key) return side.get();
   const auto attempt = [&](const std::function<void()>& task) {
     try {

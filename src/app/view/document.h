@@ -26,7 +26,7 @@ class Side {
   Side(const Side&) = delete;
   Side& operator=(const Side&) = delete;
 
-  /// Whether a renderer made for these options would be another one.
+  /// Whether a renderer made for these options would be the same, its size aside.
   bool fits(const RenderOptions& options) const;
   const scene::SceneData& scene() const { return scene_; }
   render::FrameRenderer& renderer() { return *renderer_; }
@@ -37,8 +37,7 @@ class Side {
   scene::SceneData scene_;
   std::optional<visibility::ImportanceMask> importance_;
   render::RendererOptions rendererOptions_;
-  std::filesystem::path mask_;
-  bool patches_;
+  std::string madeFor_;
   std::optional<render::FrameRenderer> renderer_;
 };
 
@@ -81,7 +80,6 @@ class Document {
   Side* prepare(int side, const RenderOptions& options);
   /// What prepare() returned last; null where there is nothing.
   Side* side(int side) { return sides_[static_cast<std::size_t>(side)].get(); }
-  void dropSide(int side) { sides_[static_cast<std::size_t>(side)].reset(); }
   /// Builds all programs anew, for changed shaders. On failure the last good ones go on. @return the error, or empty
   std::string rebuild(const RenderOptions (&options)[kSides]);
 

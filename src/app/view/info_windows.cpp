@@ -113,14 +113,16 @@ void drawBlockSection(const Inspection& i, const RenderOptions& options) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", title);
   }
+  // In the order of their numbers.
+  const std::vector<std::string>& names = std::get<ChoiceValue>(renderOption("--lv").value).names;
   for (gpu::uint measure = 1; measure < gpu::kLvCount; ++measure) {
     const bool counted = measure == gpu::kLvPixels;
     const bool known = !counted || i.countedLv.has_value();
     const float lv = counted ? i.countedLv.value_or(0.0F) : b.lv[measure];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const bool used = options.lv == measureName(measure);
-    ImGui::Text("%s%s", measureName(measure), used ? "  (in use)" : "");
+    const bool used = options.lv == names[measure];
+    ImGui::Text("%s%s", names[measure].c_str(), used ? "  (in use)" : "");
     ImGui::TableNextColumn();
     known ? ImGui::Text("%.4f", static_cast<double>(lv)) : ImGui::TextDisabled("not counted");
     ImGui::TableNextColumn();

@@ -142,13 +142,6 @@ void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::Cull
 
 }  // namespace
 
-const char* measureName(gpu::uint measure) {
-  static constexpr std::array<const char*, gpu::kLvCount> kNames = {"none",  "thesis",   "spectral",
-                                                                    "chord", "coverage", "pixels"};
-  JAL_CHECK(measure < gpu::kLvCount);
-  return kNames[measure];
-}
-
 Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, render::FrameRenderer& renderer,
                          const render::FrameOptions& options) {
   JAL_CHECK(object < scene.objects.size());

@@ -57,7 +57,4 @@ struct Inspection {
 Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, render::FrameRenderer& renderer,
                          const render::FrameOptions& options);
 
-/// Name of a measure as the command line has it. @pre measure < gpu::kLvCount
-const char* measureName(gpu::uint measure);
-
 }  // namespace jalousie::app

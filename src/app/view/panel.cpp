@@ -123,9 +123,8 @@ void button(const char* label, Action action, PanelResult& result, const char* h
 
 void drawConfigurations(ViewState& state, PanelResult& result) {
   static constexpr std::array<const char*, Document::kSides> kNames = {"Configuration A", "Configuration B"};
-  const int shown = state.split || state.flicker ? 2 : 1;
   if (!ImGui::BeginTabBar("configurations")) return;
-  for (int side = 0; side < shown; ++side) {
+  for (int side = 0; side < state.sides(); ++side) {
     if (!ImGui::BeginTabItem(kNames[static_cast<std::size_t>(side)])) continue;
     Configuration& configuration = state.configurations[static_cast<std::size_t>(side)];
     constexpr std::array kGroups = {std::pair(OptionGroup::kView, "View"), std::pair(OptionGroup::kCulling, "Culling"),
@@ -214,7 +213,7 @@ void drawLayout(ViewState& state, PanelResult& result) {
   tooltip("How long each configuration is shown; seconds");
 }
 
-void drawOutput(ViewState& state, Document* document, const PanelFacts& facts, PanelResult& result) {
+void drawOutput(ViewState& state, const PanelFacts& facts, PanelResult& result) {
   if (!ImGui::CollapsingHeader("Picture and figures", ImGuiTreeNodeFlags_DefaultOpen)) return;
   std::array<int, 2> size = {static_cast<int>(facts.width), static_cast<int>(facts.height)};
   if (ImGui::InputInt2("size##--size", size.data(), ImGuiInputTextFlags_EnterReturnsTrue))
@@ -236,7 +235,6 @@ void drawOutput(ViewState& state, Document* document, const PanelFacts& facts, P
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.command.c_str());
   ImGui::PopTextWrapPos();
-  static_cast<void>(document);
 }
 
 void drawDocuments(ViewState& state, const PanelFacts& facts) {
@@ -276,7 +274,7 @@ void drawPanel(ViewState& state, Document* document, const PanelFacts& facts, Pa
     drawConfigurations(state, result);
     drawLayout(state, result);
     drawCamera(state, document, result);
-    drawOutput(state, document, facts, result);
+    drawOutput(state, facts, result);
     ImGui::Separator();
     ImGui::TextDisabled("%s", facts.renderer.c_str());
     ImGui::TextDisabled("F1: keys");

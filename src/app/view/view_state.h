@@ -38,6 +38,8 @@ struct ViewState {
   bool flicker = false;
   float flickerSeconds = 0.5F;
   int flickerSide = 0;  ///< shown while flickering
+  /// Configurations in use: the first, or both.
+  int sides() const { return split || flicker ? Document::kSides : 1; }
   bool help = false;
   bool linked = true;  ///< cameras of several documents move together
   bool playing = false;

@@ -26,28 +26,33 @@ constexpr std::uint32_t kCalmFrames = 128;
 constexpr double kMessageSeconds = 6.0;
 constexpr double kIdleSeconds = 0.1;
 
+ViewState startState(const ViewOptions& options) {
+  ViewState state;
+  if (!options.frames) state.settings = loadSettings(settingsFolder());  // a script depends on its options alone
+  state.outputs = options.outputs;
+  state.divider = options.divider;
+  state.playing = options.play;
+  state.split = options.split.has_value();
+  for (Configuration& configuration : state.configurations)
+    configuration.wanted = options.render;
+  if (options.split) state.configurations[1].wanted = viewOptionsOf(*options.split);
+  for (Configuration& configuration : state.configurations)
+    configuration.update();
+  return state;
+}
+
 }  // namespace
 
 Viewer::Viewer(platform::Window& window, const ViewOptions& options)
     : window_(window),
       options_(options),
+      state_(startState(options)),
       input_(window.handle()),
-      interface_(window.handle(), options.scale,
-                 options.frames ? std::string() : loadSettings(settingsFolder()).layout),
+      interface_(window.handle(), options.scale, state_.settings.layout),
       shaderWatch_(options.shaders, /*recursive=*/true),
       settingsFolder_(settingsFolder()) {
-  if (!options.frames) state_.settings = loadSettings(settingsFolder_);  // a script depends on its options alone
-  state_.outputs = options.outputs;
-  state_.divider = options.divider;
-  state_.playing = options.play;
   pathStart_ = pathSeconds_ =
       static_cast<double>(options.render.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
-  state_.split = options.split.has_value();
-  for (Configuration& configuration : state_.configurations)
-    configuration.wanted = options.render;
-  if (options.split) state_.configurations[1].wanted = viewOptionsOf(*options.split);
-  for (Configuration& configuration : state_.configurations)
-    configuration.update();
   gl::setShaderFolder(options.shaders);
   for (const std::filesystem::path& file : expandFolders(options.files))
     open(file);
@@ -71,7 +76,7 @@ bool Viewer::done() const {
 }
 
 void Viewer::touch() {
-  if (!state_.split && !state_.flicker) {
+  if (state_.sides() == 1) {
     if (state_.selection) state_.selection->side = 0;
     for (const auto& document : documents_)
       document->forgetFailure(1);
@@ -136,10 +141,6 @@ Region Viewer::region(std::size_t document) const {
   return {static_cast<float>(from), 0.0F, static_cast<float>(to - from), static_cast<float>(height_)};
 }
 
-bool Viewer::shows(int side) const {
-  return state_.flicker ? state_.flickerSide == side || state_.split : side == 0 || state_.split;
-}
-
 RenderOptions Viewer::optionsFor(std::size_t document, int side) const {
   RenderOptions options = state_.configurations[static_cast<std::size_t>(side)].active;
   documents_[document]->camera.applyTo(options);
@@ -187,8 +188,7 @@ void Viewer::renderScenes() {
 
 void Viewer::renderDocument(std::size_t index) {
   Document& document = *documents_[index];
-  for (int side = 0; side < Document::kSides; ++side) {
-    if (!state_.split && !state_.flicker && side == 1) continue;
+  for (int side = 0; side < state_.sides(); ++side) {
     const RenderOptions options = optionsFor(index, side);
     Side* scene = document.prepare(side, options);
     if (scene == nullptr) continue;
@@ -242,8 +242,7 @@ void Viewer::inspect() {
 ImageRgba8 Viewer::capture() {
   if (canvas_.width() == 0) throw Error(ErrorCode::kUsage, "the window has no size, so there is no picture");
   for (std::size_t i = 0; i < documents_.size(); ++i) {
-    for (int side = 0; side < Document::kSides; ++side) {
-      if (side == 1 && !state_.split && !state_.flicker) continue;
+    for (int side = 0; side < state_.sides(); ++side) {
       const RenderOptions options = optionsFor(i, side);
       Side* scene = documents_[i]->prepare(side, options);
       if (scene == nullptr) continue;

@@ -68,7 +68,6 @@ class Viewer {
   /// Cameras of a picture; nothing, and why in the message, where none can stand.
   std::optional<RenderCameras> camerasFor(std::size_t document, int side);
   RenderOptions optionsFor(std::size_t document, int side) const;
-  bool shows(int side) const;
   double now() const;
   Document* current() { return state_.current < documents_.size() ? documents_[state_.current].get() : nullptr; }
 
@@ -116,10 +115,10 @@ class Viewer {
 
   platform::Window& window_;
   ViewOptions options_;
+  ViewState state_;
   Input input_;
   Interface interface_;
   Canvas canvas_;
-  ViewState state_;
   std::vector<std::unique_ptr<Document>> documents_;
   std::vector<CameraChoice> starts_;  ///< cameras of the start, by document
   FileWatch shaderWatch_;
