@@ -6,4 +6,4 @@
   flat uint material;
   flat uint mirrored;
   flat uint objectId;
-  flat float fade;      // share of a level in a cross-fade; negative: it goes
+  flat float fade;      // share of a level in a cross-fade; negative: it fades out

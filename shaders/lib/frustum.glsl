@@ -1,8 +1,8 @@
 // Frustum test, screen rectangle, nearest depth and size of one box (thesis 3.2, 3.4, 4.1.2; docs/two_phase_culling.md).
 // CPU twin: src/visibility/classify_reference.cpp
 //
-// Everything is rounded outwards: the vertex stage computes the same sums from other corners of the box, and neither may
-// be off by more than kRounding times the sum of the magnitudes that went in.
+// All results are rounded outwards: the vertex stage computes the same sums for other points of the box, and each of
+// the two may be off by kRounding times the sum of the magnitudes that went into the sum.
 
 struct BoxOnScreen {
   bool outside;       // every corner lies beyond one plane of the clip volume
@@ -14,9 +14,6 @@ struct BoxOnScreen {
   vec3 centerWorld;   // bounding sphere
   float radiusWorld;
 };
-
-const float kRounding = 1.0 / 1048576.0;   // 2^-20: two affine sums of four products each, on both sides
-const float kDepthSlack = 1.0 / 16384.0;   // share of the depth for what rasterisers lose when they interpolate it
 
 vec3 boxCorner(vec3 lower, vec3 upper, uint corner) {
   return vec3((corner & 1u) != 0u ? upper.x : lower.x, (corner & 2u) != 0u ? upper.y : lower.y,
@@ -30,6 +27,13 @@ vec4 clipRounding(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld) {
                     dot(abs(t.worldFromObject2), reach));
   return kRounding * (abs(clipFromWorld[0]) * world.x + abs(clipFromWorld[1]) * world.y +
                       abs(clipFromWorld[2]) * world.z + abs(clipFromWorld[3]));
+}
+
+/// One bit per plane of the clip volume that a corner lies safely beyond.
+uint planesBeyond(vec4 clip, vec3 margin) {
+  return (clip.x < -clip.w - margin.x ? 1u : 0u) | (clip.x > clip.w + margin.x ? 2u : 0u) |
+         (clip.y < -clip.w - margin.y ? 4u : 0u) | (clip.y > clip.w + margin.y ? 8u : 0u) |
+         (clip.z < -margin.z ? 16u : 0u) | (clip.z > clip.w + margin.z ? 32u : 0u);
 }
 
 /// Clip space is that of CullView: -w <= x, y <= w and 0 <= z <= w.
@@ -53,10 +57,7 @@ BoxOnScreen boxOnScreen(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld,
     result.maxWorld = max(result.maxWorld, world);
     result.radiusWorld = max(result.radiusWorld, distance(world, result.centerWorld));
     vec4 clip = clipFromWorld * vec4(world, 1.0);
-    uint beyond = (clip.x < -clip.w - margin.x ? 1u : 0u) | (clip.x > clip.w + margin.x ? 2u : 0u) |
-                  (clip.y < -clip.w - margin.y ? 4u : 0u) | (clip.y > clip.w + margin.y ? 8u : 0u) |
-                  (clip.z < -margin.z ? 16u : 0u) | (clip.z > clip.w + margin.z ? 32u : 0u);
-    beyondAll &= beyond;
+    beyondAll &= planesBeyond(clip, margin);
     float w = clip.w - error.w;
     if (!(w > 0.0 && clip.z + margin.z < clip.w)) {
       result.crossesNear = true;

@@ -1,20 +1,24 @@
-// Measures of hiddenness of one block. CPU twin: src/visibility/hiddenness.cpp
-// Include lib/dct.glsl before.
+// Measures of how occluded an object behind a block of the occlusion map or depth pyramid is.
+// CPU twin: src/visibility/hiddenness.cpp. Include lib/dct.glsl and lib/traits.glsl before.
 
-/// Sums over a block of opacities, row by row; which of them count depends on the measure.
+/// Mean open chord of a block without any difference and with something open: infinity.
+const float kEndlessChord = uintBitsToFloat(0x7f800000u);
+
+/// Sums over a block of opacities.
 struct BlockSums {
-  float covered;                   // sum of the opacities
-  float low[3][3];                 // sums of f cos(u) cos(v), f = opacity - 1/2, [v][u]
-  float differences;               // of neighbouring texels, along rows and columns
-  uint width;
+  float covered;      // sum of the opacities
+  float differences;  // absolute differences of neighbouring texels along rows and columns; only for the chord
+  float low[3][3];    // sums of f cos(u) cos(v) with f = opacity - 1/2, [v][u]; for all measures but the chord
+  uint width;         // texels
   uint height;
 };
 
 /// The thesis' measure is a level of visibility itself, normalised, about [-1.83, 1].
 float thesisLv(BlockSums s) {
   bool spectrum = max(s.width, s.height) >= kMinSpectrumSide;
-  return levelOfVisibility(s.low[0][0], spectrum ? s.low[0][1] : 0.0, spectrum ? s.low[1][0] : 0.0,
-                           spectrum ? s.low[1][1] : 0.0, s.width, s.height);
+  return levelOfVisibility(vec4(s.low[0][0], spectrum ? s.low[0][1] : 0.0, spectrum ? s.low[1][0] : 0.0,
+                                spectrum ? s.low[1][1] : 0.0),
+                           s.width * s.height);
 }
 
 /// phi = 1 - E_low / E: how finely divided the open area is.
@@ -34,33 +38,22 @@ float spectralFineness(BlockSums s) {
   return clamp(1.0 - energy / (area * area) / variance, 0.0, 1.0);
 }
 
-/// Mean length of the open runs along rows and columns, texels; kEndlessChord where nothing differs and something is
-/// open. @param covered  sum of the opacities   @param differences  of neighbouring texels
-const float kEndlessChord = 32768.0;
-float meanOpenChord(float covered, float differences, uint width, uint height) {
-  float open = 1.0 - covered / float(width * height);
-  uint pairs = (width - 1u) * height + width * (height - 1u);
-  if (differences <= 0.0 || pairs == 0u) return open > 0.0 ? kEndlessChord : 0.0;
-  return 2.0 * open * float(pairs) / differences;
-}
-
-/// Covered share, halved where the mean open chord is kChordPixels long.
-float chordHiddenness(BlockSums s, float texelPixels) {
-  float area = float(s.width * s.height);
-  float covered = s.covered / area;
+/// Mean length of the open runs along rows and columns, texels: 0 if all is covered, kEndlessChord where no
+/// neighbours differ and something is open.
+float meanOpenChord(BlockSums s) {
+  float open = 1.0 - s.covered / float(s.width * s.height);
   uint pairs = (s.width - 1u) * s.height + s.width * (s.height - 1u);
-  if (s.differences <= 0.0 || pairs == 0u) return covered >= 1.0 ? 1.0 : 0.0;
-  float chord = 2.0 * (1.0 - covered) * float(pairs) / s.differences;
-  return covered / (1.0 + chord * texelPixels / kChordPixels);
+  if (s.differences <= 0.0 || pairs == 0u) return open > 0.0 ? kEndlessChord : 0.0;
+  return 2.0 * open * float(pairs) / s.differences;
 }
 
-/// lv of a block that is neither hidden nor open.
+/// lv of a block that is neither covered nor open.
 float blockLv(BlockSums s, float texelPixels) {
-  float covered = s.covered / float(s.width * s.height);
   if (hasTrait(kTraitLvThesis)) return thesisLv(s);
-  float h = hasTrait(kTraitLvSpectral)                  ? covered * spectralFineness(s)
-            : hasTrait(kTraitLvChord)                   ? chordHiddenness(s, texelPixels)
-            : hasTrait(kTraitLvCoverage | kTraitLvPixels) ? covered  // pixels: not counted yet
-                                                          : 0.0;
+  float covered = s.covered / float(s.width * s.height);
+  float h = 0.0;
+  if (hasTrait(kTraitLvCoverage | kTraitLvPixels)) h = covered;  // pixels: until the first count
+  if (hasTrait(kTraitLvSpectral)) h = covered * spectralFineness(s);
+  if (hasTrait(kTraitLvChord)) h = covered / (1.0 + meanOpenChord(s) * texelPixels / kChordPixels);
   return 2.0 * h - 1.0;
 }

@@ -3,8 +3,6 @@
 
 layout(binding = kUnitImportance) uniform sampler2D importanceMask;
 
-const float kLeastImportance = 1.0 / 16.0;
-
 /// @param rect  pixels, clipped to the viewport   @return  in [kLeastImportance, 1]; 1 without a mask
 float importanceOf(vec4 rect) {
   if (cullView.importanceLevels == 0u) return 1.0;

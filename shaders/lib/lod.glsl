@@ -1,6 +1,7 @@
-// Visibility and size on screen -> detail. CPU twin: src/visibility/lod_policy.cpp
+// Chooses the level of detail from the level of visibility and the size on the screen. Include a file with CullView,
+// chains and lods before. CPU twin: src/visibility/lod_policy.cpp
 
-/// Share of hiddenness in [0, 1]: 0 open, 1 covered. LV can fall below -1 and is clamped.
+/// Occluded share in [0, 1]: 0 fully visible, 1 fully occluded. LV can lie below -1 and is clamped.
 float hiddenShare(float lv) { return (clamp(lv, -1.0, 1.0) + 1.0) * 0.5; }
 
 /// floor(mix(levels, 1, t)): LV = 641 of 1024 with 20 levels gives 4 (thesis 4.1.3).
@@ -9,29 +10,31 @@ uint tessellationLevel(float lv, uint levels) {
   return uint(clamp(floor(mix(float(levels), 1.0, t)), 1.0, float(levels)));
 }
 
-/// The same mapping onto a chain: LOD 0 when open, the coarsest when covered.
+/// The same mapping onto a chain: LOD 0 for a fully visible object, the coarsest for an occluded one.
 uint linearLod(float lv, uint lodCount) { return lodCount - tessellationLevel(lv, lodCount); }
 
+/// Visible share in (0, 1].
 float visibleShare(float lv) { return max(1.0 - hiddenShare(lv), kLeastShare); }
 
-/// How much a hidden object's budget grows: (visible share)^(-1/4), at most 1 + relax (docs/lod_selection.md).
+/// Factor by which the budget of a partly occluded object grows: (visible share)^(-1/4), at most 1 + relax
+/// (docs/lod_selection.md).
 float relaxedBudget(float lv, float relax) {
   float share = visibleShare(lv);
   return min(inversesqrt(sqrt(share)), 1.0 + relax);
 }
 
-/// LV of an object of which `visible` pixels showed, in a rectangle of `area` pixels.
+/// LV of an object with `visible` visible pixels and a bounding rectangle of `area` pixels.
 float pixelsLv(float visible, float area) {
   return 1.0 - 2.0 * min((visible + kPixelGuard) / (kSilhouetteShare * area + kPixelGuard), 1.0);
 }
 
-/// LV on its way from the last frame's value to the one just measured.
+/// LV smoothed over time: one step from the last frame's value towards the measured one.
 float smoothLv(float last, float measured) {
   float start = clamp(last, -1.0, 1.0);
   return start + (measured < start ? kSmoothAppearing : kSmoothHiding) * (clamp(measured, -1.0, 1.0) - start);
 }
 
-/// LV of what is out of view: nothing is known of it, and after a while it counts as open.
+/// LV of an object out of view, which cannot be measured: one step from the last frame's value towards fully visible.
 float forgottenLv(float last) {
   float start = clamp(last, -1.0, 1.0);
   return start + kSmoothHiding * (-1.0 - start);
@@ -50,8 +53,8 @@ uint pixelErrorLod(Chain chain, float pixelsPerUnit, float tau) {
   return 0u;
 }
 
-/// Level between the ones that tau and tau * relaxed allow: the least sum of the error's weight and the triangles, as
-/// shares of what tau allows (docs/lod_selection.md). A coarser level that saves little is not worth its error.
+/// Level between the ones that tau and tau * relaxed allow, with the least share * (error / tau)^2 + triangles /
+/// (triangles at tau) (docs/lod_selection.md). A coarser level that saves few triangles is not worth its error.
 uint relaxedLod(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share) {
   uint best = pixelErrorLod(chain, pixelsPerUnit, tau);
   uint coarsest = pixelErrorLod(chain, pixelsPerUnit, tau * relaxed);
@@ -69,68 +72,91 @@ uint relaxedLod(Chain chain, float pixelsPerUnit, float tau, float relaxed, floa
   return best;
 }
 
-/// Lowest tessellation level whose flat pieces stay within tau of the curved surface: the gap of a quadratic patch
-/// falls with the square of the level.
+/// Lowest tessellation level whose triangles stay within tau of the curved surface. The gap of a quadratic patch falls
+/// with the square of the level.
 uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
   if (errorPixels <= tau) return 1u;
   return uint(clamp(ceil(sqrt(errorPixels / tau)), 1.0, float(maxLevel)));
 }
 
+/// Frames that a cross-fade still takes, this one included; 0: none.
 uint fadeFrames(uint mark) { return mark >> kMarkFadeShift; }
 
 /// The level that fades out.
 uint fadingLod(uint lod, uint mark) { return (mark & kMarkFromCoarser) != 0u ? lod + 1u : lod - 1u; }
 
-/// One step from the last level towards the range that it may keep.
+/// One step from the last level towards [lowest, highest].
 uint stepTowards(uint last, uint lowest, uint highest) {
   return last < lowest ? last + 1u : last > highest ? last - 1u : last;
 }
 
-/// Levels that follow a budget calmly: they keep while they fit within the hysteresis, change by one, and fade. What no
-/// pixel shows need not fade.
-void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share, bool seen, ObjectState last,
-                  inout ObjectState state, inout uint mark) {
-  float patchPixels = lods[chain.patchLod].errorObject * pixelsPerUnit;
-  float budget = tau * relaxed;
-  state.tessellation =
-      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, budget * cullView.hysteresis, cullView.maxTessellation),
-                  pixelErrorTessellation(patchPixels, budget / cullView.hysteresis, cullView.maxTessellation));
-  state.lod = last.lod;
-  uint left = min(fadeFrames(mark), cullView.fadeFrames + 1u);  // fewer may be wanted than when the fade began
-  if (seen && left > 1u) {
+/// What the choice of detail needs to know of an object besides the view.
+struct DetailInput {
+  Chain chain;
+  float pixelsPerUnit;  // as ScreenBox
+  float tau;            // as ScreenBox
+  bool seen;            // a pixel of the last frame showed the object, or no count says
+  ObjectState last;     // of the last frame, where the marks have kMarkKnown or kMarkRemembered
+};
+
+/// Screen-space error that an object may have.
+struct Budget {
+  float tau;      // pixels, for a fully visible object
+  float relaxed;  // factor for this one
+  float share;    // visible share
+};
+
+/// Tessellation level that follows the budget within the hysteresis, one level at a time.
+uint calmTessellation(DetailInput object, Budget budget) {
+  float patchPixels = lods[object.chain.patchLod].errorObject * object.pixelsPerUnit;
+  float whole = budget.tau * budget.relaxed;
+  return stepTowards(object.last.tessellation,
+                     pixelErrorTessellation(patchPixels, whole * cullView.hysteresis, cullView.maxTessellation),
+                     pixelErrorTessellation(patchPixels, whole / cullView.hysteresis, cullView.maxTessellation));
+}
+
+/// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes
+/// by one and is cross-faded. An object of which no pixel was visible switches at once to the nearest level that fits.
+void followBudget(DetailInput object, Budget budget, inout ObjectState state, inout uint mark) {
+  state.tessellation = calmTessellation(object, budget);
+  state.lod = object.last.lod;
+  uint left = min(fadeFrames(mark), cullView.fadeFrames + 1u);  // the fade may have begun with more frames
+  if (object.seen && left > 1u) {
     mark = (mark & kMarkFromCoarser) | (mark & ~kMarkFadeMask) | ((left - 1u) << kMarkFadeShift);
     return;
   }
   mark &= ~kMarkFadeMask;
-  uint finest = relaxedLod(chain, pixelsPerUnit, tau / cullView.hysteresis, relaxed, share);
-  uint coarsest = max(finest, relaxedLod(chain, pixelsPerUnit, tau * cullView.hysteresis, relaxed, share));
-  state.lod = seen ? stepTowards(last.lod, finest, coarsest) : clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && !hasTrait(kTraitPatches) && cullView.fadeFrames > 0u)
-    mark |= (cullView.fadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
+  uint finest = relaxedLod(object.chain, object.pixelsPerUnit, budget.tau / cullView.hysteresis, budget.relaxed,
+                           budget.share);
+  uint coarsest = max(finest, relaxedLod(object.chain, object.pixelsPerUnit, budget.tau * cullView.hysteresis,
+                                         budget.relaxed, budget.share));
+  state.lod = object.seen ? stepTowards(object.last.lod, finest, coarsest) : clamp(object.last.lod, finest, coarsest);
+  if (object.seen && state.lod != object.last.lod && !hasTrait(kTraitPatches) && cullView.fadeFrames > 0u)
+    mark |= (cullView.fadeFrames << kMarkFadeShift) | (object.last.lod > state.lod ? kMarkFromCoarser : 0u);
 }
 
-/// Detail of an object under the view's rule. @param seen  whether a pixel of the last frame showed it, or nobody knows
-/// @param last  of the frame before, where mark says kMarkKnown or kMarkRemembered
-void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, ObjectState last, inout ObjectState state,
-                  inout uint mark) {
+/// Fills lod and tessellation under the view's rule; without kTraitFollowsError and kTraitFollowsLv they stay.
+/// @param mark  gets kMarkSwitched and the frames of the cross-fade
+void chooseDetail(DetailInput object, inout ObjectState state, inout uint mark) {
   bool followsError = hasTrait(kTraitFollowsError), followsLv = hasTrait(kTraitFollowsLv);
   bool calm = followsError && (mark & kMarkRemembered) != 0u;
   if (!calm) mark &= ~kMarkFadeMask;  // a fade that began in calm frames ends with them
   if (followsLv && !followsError) {
-    state.lod = linearLod(state.lv, chain.lodCount);
+    state.lod = linearLod(state.lv, object.chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
   } else if (followsError) {
-    float relaxed = followsLv ? relaxedBudget(state.lv, cullView.relax) : 1.0;
-    float share = visibleShare(state.lv);
+    Budget budget = Budget(object.tau, followsLv ? relaxedBudget(state.lv, cullView.relax) : 1.0,
+                           visibleShare(state.lv));
     if (calm) {
-      followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), max(share, kLeastCalmShare), seen,
-                   last, state, mark);
+      budget.relaxed = min(budget.relaxed, kMostCalmRelaxed);
+      budget.share = max(budget.share, kLeastCalmShare);
+      followBudget(object, budget, state, mark);
     } else {
-      state.lod = relaxedLod(chain, pixelsPerUnit, tau, relaxed, share);
-      state.tessellation = pixelErrorTessellation(lods[chain.patchLod].errorObject * pixelsPerUnit, tau * relaxed,
-                                                  cullView.maxTessellation);
+      state.lod = relaxedLod(object.chain, object.pixelsPerUnit, budget.tau, budget.relaxed, budget.share);
+      state.tessellation = pixelErrorTessellation(lods[object.chain.patchLod].errorObject * object.pixelsPerUnit,
+                                                  budget.tau * budget.relaxed, cullView.maxTessellation);
     }
   }
-  bool same = hasTrait(kTraitPatches) ? state.tessellation == last.tessellation : state.lod == last.lod;
+  bool same = hasTrait(kTraitPatches) ? state.tessellation == object.last.tessellation : state.lod == object.last.lod;
   if ((mark & kMarkKnown) != 0u && !same) mark |= kMarkSwitched;
 }

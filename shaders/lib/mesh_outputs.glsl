@@ -4,7 +4,7 @@ out Fragment {
 #include "lib/fragment_members.glsl"
 } fragment;
 
-/// Heat of what lies in front of an object: its covered share, or the size of its holes on a logarithmic scale.
+/// Heat colour of the covered share of the block in front of an object, or of its mean open chord (logarithmic).
 vec3 coverTint(uint view, uint cover) {
   vec2 shareAndChord = unpackHalf2x16(cover);
   if (view == kViewCoverage) return heatColor(shareAndChord.x);
@@ -27,31 +27,40 @@ vec3 viewTint(uint objectId) {
   return drawView.view == kViewLines ? lineColor(color) : color;
 }
 
-/// Share of the pixels that a level in a cross-fade has: positive if it comes, negative if it goes; 0: no fade.
+/// Share of the pixels that a level in a cross-fade has: positive if it fades in, negative if it fades out; 0: no fade.
 float fadeShare(uint entry) {
   if ((entry & (kInstanceFadingIn | kInstanceFadingOut)) == 0u) return 0.0;
   uint frames = marks[entry & kInstanceObject] >> kMarkFadeShift;
-  float coming = float(drawView.fadeFrames + 1u - frames) / float(drawView.fadeFrames + 1u);
-  return (entry & kInstanceFadingIn) != 0u ? coming : coming - 1.0;
+  float fadingIn = float(drawView.fadeFrames + 1u - frames) / float(drawView.fadeFrames + 1u);
+  return (entry & kInstanceFadingIn) != 0u ? fadingIn : fadingIn - 1.0;
 }
 
+/// A vertex in object space.
+struct MeshVertex {
+  vec3 position;
+  vec3 normal;
+  vec2 uv;
+  vec4 color;
+  uint material;
+};
+
 /// @param entry  of the instance list
-void emitVertex(uint entry, vec3 position, vec3 normal, vec2 uv, vec4 color, uint material) {
+void emitVertex(uint entry, MeshVertex vertex) {
   uint objectId = entry & kInstanceObject;
   Transform transform = transforms[objectId];
-  fragment.positionWorld = transformPoint(transform, position);
+  fragment.positionWorld = transformPoint(transform, vertex.position);
 #ifdef JAL_OPACITY
-  // A coarser level may lie in front of the true surface: move it away from the eye, where it covers the same pixels.
+  // A coarser level may lie in front of LOD 0. Move it away from the eye along the view ray: it covers the same pixels.
   fragment.positionWorld += drawView.depthGuard * (fragment.positionWorld - drawView.cameraWorld.xyz);
 #endif
 #ifdef JAL_SHADED
-  fragment.normalWorld = transformNormal(transform, normal);
+  fragment.normalWorld = transformNormal(transform, vertex.normal);
   fragment.tint = isShadedView(drawView.view) ? vec3(0.0) : viewTint(objectId);
 #endif
 #if defined(JAL_SHADED) || defined(JAL_SHEET)
-  fragment.uv = uv;
-  fragment.color = color;
-  fragment.material = material;
+  fragment.uv = vertex.uv;
+  fragment.color = vertex.color;
+  fragment.material = vertex.material;
   fragment.mirrored = isMirrored(transform) ? 1u : 0u;
 #endif
 #ifdef JAL_SHEET

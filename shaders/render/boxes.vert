@@ -1,18 +1,19 @@
-// The four corners of one object's rectangle on the screen, as a loop of lines; coloured by its verdict. What has no
-// rectangle collapses outside the view. One instance: one object.
+// Draws one object's bounding rectangle on the screen as a loop of four lines, coloured by the verdict. Objects without
+// a rectangle collapse to a point outside the view. One instance: one object.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "shared/palette.h"
 #include "lib/draw_buffers.glsl"
 
 flat out vec3 tint;
 
 /// Linear RGB.
 vec3 verdictColor(uint verdict) {
-  if (verdict == kVerdictOccluded || verdict == kVerdictStale) return vec3(0.80, 0.03, 0.03);
-  if (verdict == kVerdictPartial) return vec3(0.90, 0.60, 0.02);
-  return verdict == kVerdictOccluder ? vec3(0.9) : vec3(0.05, 0.65, 0.12);
+  if (verdict == kVerdictOccluded || verdict == kVerdictStale) return kColorBoxOccluded.rgb;
+  if (verdict == kVerdictPartial) return kColorBoxPartial.rgb;
+  return verdict == kVerdictOccluder ? kColorBoxOccluder.rgb : kColorBoxVisible.rgb;
 }
 
 void main() {

@@ -4,6 +4,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "shared/palette.h"
 #include "lib/draw_buffers.glsl"
 #include "lib/surface.glsl"
 #include "lib/palette.glsl"

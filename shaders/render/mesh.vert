@@ -7,6 +7,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "shared/palette.h"
 #include "lib/transform.glsl"
 #include "lib/palette.glsl"
 #include "lib/draw_buffers.glsl"
@@ -20,4 +21,4 @@ layout(location = kAttributeColor) in vec4 color;
 layout(location = kAttributeMaterial) in uint material;
 #include "lib/object_id.glsl"
 
-void main() { emitVertex(instanceEntry(), position, normal.xyz, uv, color, material); }
+void main() { emitVertex(instanceEntry(), MeshVertex(position, normal.xyz, uv, color, material)); }

@@ -1,8 +1,9 @@
-// Shows how many surfaces lie on each pixel: black = none, then the heat scale from 1
-// to kOverdrawScale, logarithmic.
+// Shows how many surfaces were drawn on each pixel: black for none, then a logarithmic heat scale from 1 to
+// kOverdrawScale.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/frame_structs.h"
+#include "shared/palette.h"
 #include "lib/palette.glsl"
 
 layout(binding = kUnitOcclusionMap) uniform sampler2D halvings;  // 2^-surfaces

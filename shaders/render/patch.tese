@@ -3,6 +3,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "shared/palette.h"
 #include "lib/transform.glsl"
 #include "lib/palette.glsl"
 #include "lib/phong.glsl"
@@ -23,10 +24,12 @@ in Control {
 
 void main() {
   vec3 b = gl_TessCoord;
-  vec3 position = phongPoint(b, control[0].position, control[1].position, control[2].position, control[0].normal,
-                             control[1].normal, control[2].normal, drawView.phongAlpha);
-  vec3 normal = b.x * control[0].normal + b.y * control[1].normal + b.z * control[2].normal;
-  vec2 uv = b.x * control[0].uv + b.y * control[1].uv + b.z * control[2].uv;
-  vec4 color = b.x * control[0].color + b.y * control[1].color + b.z * control[2].color;
-  emitVertex(control[0].objectId, position, normal, uv, color, control[0].material);
+  MeshVertex vertex;
+  vertex.position = phongPoint(b, vec3[3](control[0].position, control[1].position, control[2].position),
+                               vec3[3](control[0].normal, control[1].normal, control[2].normal), drawView.phongAlpha);
+  vertex.normal = b.x * control[0].normal + b.y * control[1].normal + b.z * control[2].normal;
+  vertex.uv = b.x * control[0].uv + b.y * control[1].uv + b.z * control[2].uv;
+  vertex.color = b.x * control[0].color + b.y * control[1].color + b.z * control[2].color;
+  vertex.material = control[0].material;
+  emitVertex(control[0].objectId, vertex);
 }

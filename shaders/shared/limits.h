@@ -66,6 +66,14 @@ const uint kNoBin = 0xffffffffu;
 /// screen: it probably hides more than it costs.
 const float kLargeShare = 1.0 / 32.0;
 
+/// Bound of the rounding error of a clip-space component, as a share of the sum of the magnitudes that went into it.
+/// Clip space is two affine sums of four products each; the kernel and the vertex stage each round them.
+const float kRounding = 1.0 / 1048576.0;  // 2^-20
+/// Bound of the error of a rasterised depth, as a share of the depth: rasterisers lose bits when they interpolate it.
+const float kDepthSlack = 1.0 / 16384.0;
+/// Lowest importance that a region of the screen can have: tau grows to at most 16 times.
+const float kLeastImportance = 1.0 / 16.0;
+
 /// Finest tessellation level (thesis 4.1.3). A patch then has 3 * 20^2 / 2 = 600 triangles.
 const uint kMaxTessellationLevel = 20u;
 /// Most levels one chain may have. State and colour scales assume no more.

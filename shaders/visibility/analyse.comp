@@ -1,9 +1,11 @@
-// Overlap test and frequency analysis of the occludees (thesis 3.4, 3.5, Algorithm 3.1; docs/two_phase_culling.md).
+// Overlap test and level of visibility of the objects that classify.comp left pending (thesis 3.4, 3.5, Algorithm 3.1;
+// docs/two_phase_culling.md).
 //
-// What hides is (default) the opacity of the occlusion map, JAL_HOM_DEPTH: the same where the occluders lie in front of
-// the object, JAL_HIZ: a depth pyramid, where a texel covers if its farthest depth lies in front of the object.
-// One thread: one object (one workgroup per object measured several times slower). Reads boxes and the map.
-// Writes states, marks, and the boxes' cover where a view shows it. Barrier owed: SHADER_STORAGE for bin_objects.comp.
+// The opacity of a texel comes from the occlusion map by default. JAL_HOM_DEPTH: from the map, and only where the
+// occluders lie in front of the object. JAL_HIZ: from a depth pyramid; a texel is covered if its farthest depth lies in
+// front of the object.
+// One thread: one object (one workgroup per object measured several times slower). Reads boxes, and the map or pyramid.
+// Writes states, marks, and ScreenBox.cover where a view shows it. Barrier owed: SHADER_STORAGE for bin_objects.comp.
 // CPU twin: src/visibility/overlap_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -30,7 +32,7 @@ layout(binding = kUnitDepth) uniform sampler2D depthBuffer;
 
 uvec2 viewport() { return uvec2(cullView.viewportWidth, cullView.viewportHeight); }
 
-/// The covered share of the pixels that a texel stands for, as an object at a depth sees it.
+/// Covered share of the pixels of a texel, for an object at a depth.
 float opacity(uvec2 texel, uint level, float nearestDepth) {
   float covered = 1.0;
 #ifdef JAL_DEPTH_AWARE
@@ -44,43 +46,92 @@ float opacity(uvec2 texel, uint level, float nearestDepth) {
   return covered;
 }
 
-/// Lowest and highest opacity of the texels that a pixel span touches at a level.
-vec2 opacityRange(uvec4 pixels, uint level, float nearestDepth) {
-  uvec4 texels = pixels >> level;
+/// Where the test of one object looks.
+struct Probe {
+  vec4 rect;           // bounding rectangle, pixels, with the guard
+  uvec4 pixels;        // that it touches: first.xy, last.xy
+  uint lom;            // level at which the rectangle is about one texel wide
+  float nearestDepth;  // of the object
+};
+
+Probe probeOf(ScreenBox box) {
+  Probe probe;
+  probe.rect = vec4(box.minX, box.minY, box.maxX, box.maxY);
+#ifdef JAL_HOM_DEPTH
+  // The levels drawn into the map may be off by occluderTau pixels.
+  float guard = ceil(cullView.occluderTau);
+  probe.rect = clamp(probe.rect + vec4(-guard, -guard, guard, guard), vec4(0.0), vec4(viewport().xyxy));
+#endif
+  probe.pixels = touchedPixels(probe.rect, viewport());
+  float extent = max(probe.rect.z - probe.rect.x, probe.rect.w - probe.rect.y);
+  probe.lom = min(levelForExtent(extent), cullView.mapLevels - 1u);
+  probe.nearestDepth = box.nearestDepth;
+  return probe;
+}
+
+/// Lowest and highest opacity of the texels that the rectangle touches at a level.
+vec2 opacityRange(Probe probe, uint level) {
+  uvec4 texels = probe.pixels >> level;
   vec2 range = vec2(1.0, 0.0);
   for (uint y = texels.y; y <= texels.w; ++y) {
     for (uint x = texels.x; x <= texels.z; ++x) {
-      float value = opacity(uvec2(x, y), level, nearestDepth);
+      float value = opacity(uvec2(x, y), level, probe.nearestDepth);
       range = vec2(min(range.x, value), max(range.y, value));
     }
   }
   return range;
 }
 
-/// The sums of the block kBlockLevels below LOM that the measure needs, rows first, then columns.
-BlockSums sumBlock(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
-  uvec2 spanX = blockSpan(pixels.x, pixels.z, rect.x, rect.z, level);
-  uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
-  uint cosinesX = 16u * (spanX.y - 1u);
-  uint cosinesY = 16u * (spanY.y - 1u);
-  bool wantsChord = hasTrait(kTraitLvChord);
-  BlockSums sums;
-  sums.width = spanX.y;
-  sums.height = spanY.y;
-  sums.covered = sums.differences = 0.0;
+/// The same at LOM or, where a texel is open, at up to kMaxDescent levels below it.
+vec2 overlap(Probe probe) {
+  uint lowest = probe.lom > kMaxDescent ? probe.lom - kMaxDescent : 0u;
+  vec2 range = opacityRange(probe, probe.lom);
+  for (uint level = probe.lom; range.x < cullView.cullThreshold && level > lowest;) {
+#ifndef JAL_DEPTH_AWARE
+    if (range.y <= 0.0) break;  // open here, so open below: opacities add up. A farthest depth does not
+#endif
+    range = opacityRange(probe, --level);
+  }
+  return range;
+}
+
+/// The block of texels kBlockLevels below LOM that the measures look at.
+struct Block {
+  uvec2 x;  // first texel and count along a row
+  uvec2 y;  // first row and count
+  uint level;
+  float nearestDepth;
+};
+
+Block blockOf(Probe probe) {
+  Block block;
+  block.level = probe.lom > kBlockLevels ? probe.lom - kBlockLevels : 0u;
+  block.x = blockSpan(probe.pixels.x, probe.pixels.z, probe.rect.x, probe.rect.z, block.level);
+  block.y = blockSpan(probe.pixels.y, probe.pixels.w, probe.rect.y, probe.rect.w, block.level);
+  block.nearestDepth = probe.nearestDepth;
+  return block;
+}
+
+float opacityAt(Block block, uint i, uint j) {
+  return opacity(uvec2(block.x.x + i, block.y.x + j), block.level, block.nearestDepth);
+}
+
+BlockSums noSums(Block block) {
+  const float kNone[3] = float[3](0.0, 0.0, 0.0);
+  return BlockSums(0.0, 0.0, float[3][3](kNone, kNone, kNone), block.x.y, block.y.y);
+}
+
+/// What the measures need but the chord: rows against the cosines first, then columns.
+BlockSums sumSpectrum(Block block) {
+  uint cosinesX = 16u * (block.x.y - 1u);
+  uint cosinesY = 16u * (block.y.y - 1u);
+  BlockSums sums = noSums(block);
   vec3 low0 = vec3(0.0), low1 = vec3(0.0), low2 = vec3(0.0);
-  float above[kMaxBlockSide];
-  for (uint j = 0u; j < spanY.y; ++j) {
+  for (uint j = 0u; j < block.y.y; ++j) {
     vec3 row = vec3(0.0);
-    float left = 0.0;
-    for (uint i = 0u; i < spanX.y; ++i) {
-      float value = opacity(uvec2(spanX.x + i, spanY.x + j), level, nearestDepth);
+    for (uint i = 0u; i < block.x.y; ++i) {
+      float value = opacityAt(block, i, j);
       sums.covered += value;
-      if (wantsChord) {
-        sums.differences += (i > 0u ? abs(value - left) : 0.0) + (j > 0u ? abs(value - above[i]) : 0.0);
-        left = above[i] = value;
-        continue;
-      }
       float c = cosines[cosinesX + i];
       row += (value - 0.5) * vec3(1.0, c, 2.0 * c * c - 1.0);  // cos 2a from cos a
     }
@@ -94,86 +145,90 @@ BlockSums sumBlock(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
   return sums;
 }
 
-/// Covered share of the block and its mean open chord in pixels, packed: what the views of cover show.
-uint measureCover(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
-  uvec2 spanX = blockSpan(pixels.x, pixels.z, rect.x, rect.z, level);
-  uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
-  float covered = 0.0, differences = 0.0;
+/// What the chord needs.
+BlockSums sumDifferences(Block block) {
+  BlockSums sums = noSums(block);
   float above[kMaxBlockSide];
-  for (uint j = 0u; j < spanY.y; ++j) {
+  for (uint j = 0u; j < block.y.y; ++j) {
     float left = 0.0;
-    for (uint i = 0u; i < spanX.y; ++i) {
-      float value = opacity(uvec2(spanX.x + i, spanY.x + j), level, nearestDepth);
-      covered += value;
-      differences += (i > 0u ? abs(value - left) : 0.0) + (j > 0u ? abs(value - above[i]) : 0.0);
+    for (uint i = 0u; i < block.x.y; ++i) {
+      float value = opacityAt(block, i, j);
+      sums.covered += value;
+      sums.differences += (i > 0u ? abs(value - left) : 0.0) + (j > 0u ? abs(value - above[i]) : 0.0);
       left = above[i] = value;
     }
   }
-  return packHalf2x16(vec2(covered / float(spanX.y * spanY.y),
-                           meanOpenChord(covered, differences, spanX.y, spanY.y) * float(1u << level)));
+  return sums;
 }
 
-/// Lowest opacity over the rectangle at LOM and up to kMaxDescent levels below, and whether nothing at all covers it.
-vec2 overlap(uvec4 pixels, uint lom, float nearestDepth) {
-  uint lowest = lom > kMaxDescent ? lom - kMaxDescent : 0u;
-  vec2 range = opacityRange(pixels, lom, nearestDepth);
-  for (uint level = lom; range.x < cullView.cullThreshold && level > lowest;) {
+/// Covered share of the block and its mean open chord in pixels, packed into two halves for the views of cover.
+uint measureCover(Block block) {
+  const float kMostTexels = 32768.0;  // the largest power of two that a half holds
+  BlockSums sums = sumDifferences(block);
+  float chord = meanOpenChord(sums);
+  return packHalf2x16(vec2(sums.covered / float(sums.width * sums.height),
+                           (isinf(chord) ? kMostTexels : chord) * float(1u << block.level)));
+}
+
+/// Verdict and LV of one object.
+struct OverlapResult {
+  uint verdict;  // kVerdictOccluded, kVerdictOpen or kVerdictPartial
+  float lv;
+};
+
+/// @param wantsBlock  compute LV from the block; else LV has no meaning
+OverlapResult testOverlap(Probe probe, bool wantsBlock) {
+  vec2 range = overlap(probe);
+  if (range.x >= cullView.cullThreshold) return OverlapResult(kVerdictOccluded, 1.0);
+  bool open = range.y <= 0.0;
 #ifndef JAL_DEPTH_AWARE
-    if (range.y <= 0.0) break;  // a sum of nothing: the levels below are open too. Not so for a farthest depth
+  wantsBlock = wantsBlock && !open;
 #endif
-    range = opacityRange(pixels, --level, nearestDepth);
+  if (!wantsBlock) return OverlapResult(open ? kVerdictOpen : kVerdictPartial, -1.0);
+  Block block = blockOf(probe);
+  BlockSums sums = noSums(block);
+  if (hasTrait(kTraitLvChord)) {
+    sums = sumDifferences(block);
+  } else {
+    sums = sumSpectrum(block);
   }
-  return range;
+  if (sums.covered <= 0.0) return OverlapResult(kVerdictOpen, -1.0);
+  return OverlapResult(kVerdictPartial, blockLv(sums, float(1u << block.level)));
+}
+
+/// What the result changes in an object: verdict, LV, phase, and where the level rule follows LV the detail of an object
+/// that is drawn late.
+void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectState state, inout uint mark) {
+  ObjectState last = state;
+  bool early = (mark & kMarkEarly) != 0u;
+  bool occluded = result.verdict == kVerdictOccluded;
+  bool counted = (mark & kMarkCounted) != 0u;
+  bool waitsForCount = hasTrait(kTraitLvPixels) && !occluded;
+  if (!counted) {
+    bool remembered = (mark & kMarkRemembered) != 0u;
+    state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : result.lv) : result.lv;
+  }
+  state.verdict = occluded && early ? kVerdictStale : result.verdict;
+  if (occluded) {
+    mark &= ~kMarkVisible;
+    return;
+  }
+  mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
+  if (early || counted || !hasTrait(kTraitFollowsLv)) return;
+  bool known = (mark & kMarkKnown) != 0u;
+  chooseDetail(DetailInput(chains[objects[id].chain], box.pixelsPerUnit, box.tau, known, last), state, mark);
 }
 
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount || states[id].verdict != kVerdictPending) return;
   ScreenBox box = boxes[id];
-  vec4 rect = vec4(box.minX, box.minY, box.maxX, box.maxY);
-#ifdef JAL_HOM_DEPTH
-  // The map was drawn with levels that may be off by occluderTau pixels.
-  float guard = ceil(cullView.occluderTau);
-  rect = clamp(rect + vec4(-guard, -guard, guard, guard), vec4(0.0), vec4(viewport().xyxy));
-#endif
-  uvec4 pixels = touchedPixels(rect, viewport());
-  uint lom = min(levelForExtent(max(rect.z - rect.x, rect.w - rect.y)), cullView.mapLevels - 1u);
-  vec2 range = overlap(pixels, lom, box.nearestDepth);
-
-  ObjectState last = states[id];
-  ObjectState state = last;
+  Probe probe = probeOf(box);
+  ObjectState state = states[id];
   uint mark = marks[id];
-  bool known = (mark & kMarkKnown) != 0u;
-  bool counted = (mark & kMarkCounted) != 0u;
-  bool remembered = (mark & kMarkRemembered) != 0u;
-  bool hidden = range.x >= cullView.cullThreshold;
-  bool open = !hidden && range.y <= 0.0;
-  bool waitsForCount = hasTrait(kTraitLvPixels) && !hidden;
-  float lv = hidden ? 1.0 : -1.0;
-  bool wantsBlock = !hidden && !counted && cullView.analyse != 0u;
-#ifndef JAL_DEPTH_AWARE
-  wantsBlock = wantsBlock && !open;
-#endif
-  if (wantsBlock) {
-    uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
-    BlockSums sums = sumBlock(pixels, rect, level, box.nearestDepth);
-    open = sums.covered <= 0.0;
-    if (!open) lv = blockLv(sums, float(1u << level));
-  }
-  if (!counted) state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : lv) : lv;
-
-  if (cullView.measureCover != 0u)
-    boxes[id].cover = measureCover(pixels, rect, lom > kBlockLevels ? lom - kBlockLevels : 0u, box.nearestDepth);
-
-  bool early = (mark & kMarkEarly) != 0u;
-  state.verdict = hidden ? (early ? kVerdictStale : kVerdictOccluded) : open ? kVerdictOpen : kVerdictPartial;
-  if (hidden) {
-    mark &= ~kMarkVisible;
-  } else {
-    mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
-  }
-  if (!early && !hidden && !counted && hasTrait(kTraitFollowsLv))
-    chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, known, last, state, mark);
+  OverlapResult result = testOverlap(probe, cullView.analyse != 0u && (mark & kMarkCounted) == 0u);
+  if (cullView.measureCover != 0u) boxes[id].cover = measureCover(blockOf(probe));
+  applyOverlap(result, id, box, state, mark);
   marks[id] = mark;
   states[id] = state;
 }

@@ -1,7 +1,6 @@
 // Frustum culling, size on screen, occluder selection, and the first choice of detail (thesis 3.2, 4.1.2).
 //
-// One thread: one object. Reads transforms, objects, chains, lods, and from the last frame marks, states and
-// pixelCounts.
+// One thread: one object. Reads transforms, objects, chains, lods; and marks, states and pixelCounts of the last frame.
 // Writes states, boxes, marks. Barrier owed: SHADER_STORAGE for analyse.comp and bin_objects.comp.
 // CPU twin: src/visibility/classify_reference.cpp
 #version 450 core
@@ -16,9 +15,10 @@
 #include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
-/// Pixels that showed each object when they were last counted (kTraitLvPixels).
+/// Visible pixels of each object when they were last counted (kTraitLvPixels).
 layout(std430, binding = kBindingPixelCounts) readonly buffer PixelCountBlock { uint pixelCounts[]; };
 
+/// Verdict of one box before the overlap test. @param importance  in (0, 1]; scales the pixels it counts for
 uint classify(BoxOnScreen box, float importance) {
   if (!hasTrait(kTraitCulls)) return kVerdictPending;
   if (box.outside) return kVerdictOutside;
@@ -31,55 +31,89 @@ uint classify(BoxOnScreen box, float importance) {
   return box.crossesNear ? kVerdictNear : kVerdictPending;
 }
 
-/// Two phases: what is drawn before the test. What was tested in the last frame is expected to stay as it was; of what is
-/// new, the large ones.
+/// Two phases: whether an object is drawn before the test. An object that was tested in the last frame is expected to
+/// keep its visibility; of the others, those with a large rectangle (kLargeShare) are expected to be visible.
 bool isExpectedVisible(uint lastMarks, vec4 rect) {
   if ((lastMarks & kMarkTested) != 0u) return (lastMarks & kMarkVisible) != 0u;
   vec2 size = rect.zw - rect.xy;
   return size.x * size.y >= kLargeShare * float(cullView.viewportWidth * cullView.viewportHeight);
 }
 
-/// What the verdict alone decides about the phases; analyse.comp adds the rest.
+/// Flags that the verdict alone decides; analyse.comp adds the others.
 uint phasesOf(uint verdict, bool expectedVisible) {
-  bool drawn = verdict != kVerdictOutside && verdict != kVerdictSmall;
-  if (!drawn) return 0u;
+  if (verdict == kVerdictOutside || verdict == kVerdictSmall) return 0u;
   if (hasTrait(kTraitTwoPhases)) {
-    if (verdict == kVerdictNear) return kMarkEarly | kMarkVisible | kMarkTested;
-    return expectedVisible ? kMarkEarly | kMarkVisible | kMarkTested : kMarkTested;
+    bool early = verdict == kVerdictNear || expectedVisible;
+    return early ? kMarkEarly | kMarkVisible | kMarkTested : kMarkTested;
   }
   if (verdict == kVerdictOccluder) return kMarkEarly | kMarkLate | kMarkVisible;
   return verdict == kVerdictPending && hasTrait(kTraitUsesMap) ? 0u : kMarkLate | kMarkVisible;
 }
 
-vec4 wholeScreen() { return vec4(0.0, 0.0, cullView.viewportWidth, cullView.viewportHeight); }
+/// What earlier frames left of an object.
+struct History {
+  ObjectState state;  // of the last frame
+  uint marks;         // of the last frame
+  uint pixels;        // visible ones, with counted
+  bool known;         // it was drawn in the last frame
+  bool remembered;    // the last frame was calm, and so is this one: LV is smoothed from its last value
+  bool measured;      // the remembered LV comes from a count
+  bool counted;       // pixels is valid: the object has been drawn ever since the count
+};
 
-/// Whether the detail of what is tested follows from a block that only analyse.comp looks at.
-bool followsBlock() {
-  return hasTrait(kTraitFollowsLv) && !hasTrait(kTraitLvPixels);
+History historyOf(uint id) {
+  History history;
+  history.state = states[id];
+  history.marks = marks[id];
+  history.known = (history.marks & (kMarkEarly | kMarkLate)) != 0u;
+  history.remembered = cullView.calm != 0u && (history.marks & kMarkCalm) != 0u;
+  history.measured = history.remembered && (history.marks & kMarkMeasured) != 0u;
+  history.counted = hasTrait(kTraitLvPixels) && history.known &&
+                    (cullView.countsValid != 0u || (history.marks & kMarkCounted) != 0u);
+  history.pixels = 0u;
+  if (history.counted) history.pixels = pixelCounts[id];
+  return history;
 }
 
-/// Whether pixelCounts say something about an object: not if it came into the picture after they were made.
-bool isCounted(uint lastMarks) {
-  bool drawn = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
-  return hasTrait(kTraitLvPixels) && drawn && (cullView.countsValid != 0u || (lastMarks & kMarkCounted) != 0u);
+/// Flags that pass the history on.
+uint marksOf(History history) {
+  bool calm = cullView.calm != 0u;
+  return (history.known ? kMarkKnown | (history.marks & kMarkFadeMask) : 0u) | (history.counted ? kMarkCounted : 0u) |
+         (calm ? kMarkCalm : 0u) | (history.remembered ? kMarkRemembered : 0u) |
+         (calm && (history.counted || history.measured) ? kMarkMeasured : 0u);
 }
 
-/// What is known of an object's visibility before this frame's test.
-/// @param history  whether the last frame left an LV   @param remembered  whether to go on from it calmly
-/// @param measured  whether it came from a count
-float lvBeforeTest(uint id, uint verdict, bool history, bool remembered, bool measured, bool counted,
-                   bool measuredLater, vec4 rect, ObjectState last) {
-  if (!history) return -1.0;
-  if (counted) {
+/// Whether analyse.comp will test the object.
+bool isTestedLater(uint verdict) { return verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion); }
+
+/// LV from what is known before this frame's test. @param rect  pixels; the whole screen if there is no rectangle
+float lvBeforeTest(History history, uint verdict, vec4 rect) {
+  if (!history.known && !history.remembered) return -1.0;
+  if (history.counted) {
     vec2 size = rect.zw - rect.xy;
-    float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
-    return measured ? smoothLv(last.lv, lv) : lv;
+    float lv = pixelsLv(float(history.pixels), size.x * size.y);
+    return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
-  if (remembered && hasTrait(kTraitLvPixels)) {
+  if (history.remembered && hasTrait(kTraitLvPixels)) {
     bool inView = verdict != kVerdictOutside && verdict != kVerdictSmall;
-    return inView ? last.lv : forgottenLv(last.lv);
+    return inView ? history.state.lv : forgottenLv(history.state.lv);
   }
-  return measuredLater && hasTrait(kTraitTwoPhases) ? last.lv : -1.0;
+  return isTestedLater(verdict) && hasTrait(kTraitTwoPhases) ? history.state.lv : -1.0;
+}
+
+/// Whether the detail follows from a block that only analyse.comp looks at: until then it stays as it was.
+bool waitsForBlock(History history, uint verdict) {
+  bool followsBlock = hasTrait(kTraitFollowsLv) && !hasTrait(kTraitLvPixels);
+  return isTestedLater(verdict) && (history.known || history.remembered) && hasTrait(kTraitUsesMap) && followsBlock;
+}
+
+/// @param rect  pixels, clipped; 0 if there is no rectangle
+ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance) {
+  float pixelsPerUnit =
+      projectedScale(scale, cullView.focalPixels, distance(cullView.cameraWorld.xyz, box.centerWorld), box.radiusWorld,
+                     cullView.cameraWorld.w);
+  return ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, cullView.tau / importance,
+                   kCoverOpen);
 }
 
 void main() {
@@ -87,39 +121,27 @@ void main() {
   if (id >= cullView.objectCount) return;
   Transform transform = transforms[id];
   Chain chain = chains[objects[id].chain];
+  vec2 viewport = vec2(cullView.viewportWidth, cullView.viewportHeight);
   BoxOnScreen box = boxOnScreen(transform, chain.boundsMinObject.xyz, chain.boundsMaxObject.xyz, cullView.clipFromWorld,
-                                vec2(cullView.viewportWidth, cullView.viewportHeight));
+                                viewport);
   bool hasRect = !box.outside && !box.crossesNear;
   vec4 rect = hasRect ? box.rect : vec4(0.0);
   float importance = hasRect ? importanceOf(rect) : 1.0;
-  float pixelsPerUnit =
-      projectedScale(largestScale(transform), cullView.focalPixels,
-                     distance(cullView.cameraWorld.xyz, box.centerWorld), box.radiusWorld, cullView.cameraWorld.w);
-  float tau = cullView.tau / importance;
-  boxes[id] = ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, kCoverOpen);
+  ScreenBox screen = screenBoxOf(box, rect, largestScale(transform), importance);
 
   uint verdict = classify(box, importance);
-  uint lastMarks = marks[id];
-  ObjectState last = states[id];
-  bool known = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
-  bool counted = isCounted(lastMarks);
-  bool remembered = cullView.calm != 0u && (lastMarks & kMarkCalm) != 0u;
-  bool measured = remembered && (lastMarks & kMarkMeasured) != 0u;
-  uint mark = phasesOf(verdict, isExpectedVisible(lastMarks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
-              (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u) | (counted ? kMarkCounted : 0u) |
-              (cullView.calm != 0u ? kMarkCalm : 0u) | (remembered ? kMarkRemembered : 0u) |
-              (cullView.calm != 0u && (counted || measured) ? kMarkMeasured : 0u);
-  bool measuredLater = verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion);
-  bool history = known || remembered;
-  ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation,
-                                  lvBeforeTest(id, verdict, history, remembered, measured, counted, measuredLater,
-                                               hasRect ? rect : wholeScreen(), last));
-  if (measuredLater && history && hasTrait(kTraitUsesMap) && followsBlock()) {
-    state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
+  History history = historyOf(id);
+  uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
+              marksOf(history);
+  float lv = lvBeforeTest(history, verdict, hasRect ? rect : vec4(vec2(0.0), viewport));
+  ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, lv);
+  if (waitsForBlock(history, verdict)) {
+    state = ObjectState(verdict, history.state.lod, history.state.tessellation, history.state.lv);
   } else {
-    bool seen = known && (!counted || pixelCounts[id] > 0u);
-    chooseDetail(chain, pixelsPerUnit, tau, seen, last, state, mark);
+    bool seen = history.known && (!history.counted || history.pixels > 0u);
+    chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, seen, history.state), state, mark);
   }
+  boxes[id] = screen;
   marks[id] = mark;
   states[id] = state;
 }

@@ -1,5 +1,5 @@
-// The instanced commands of a draw list: one per bin that has instances and triangles, moved together without gaps, and
-// empty ones behind them for drivers that cannot take the number of draws from a buffer.
+// Writes the instanced commands of a draw list: one per bin that has instances and triangles, compacted, followed by
+// empty ones for drivers that cannot read the number of draws from a buffer.
 //
 // JAL_PER_OBJECT: the commands exist already; only the counts are written.
 // One workgroup for all bins. Reads bins, chains, lods, entries, blockSums. Writes commands, drawCounts.
@@ -33,11 +33,68 @@ void main() {
 }
 #else
 
-/// Commands per list up to and including each lane, three lists of nine bits in x, the three of the patches in y.
+/// Commands per list up to and including each lane: three lists of ten bits in x, the three of the patches in y.
 shared uvec2 sums[kScanGroupSize];
 
 uint countIn(uvec2 flags, uint list) {
   return ((list < kListsPerDetail ? flags.x : flags.y) >> (10u * (list % kListsPerDetail))) & 1023u;
+}
+
+/// What one bin draws; nothing if it has no instances.
+struct BinDraw {
+  Ranges ranges;
+  uint first;          // entry of the instance list
+  uint instanceCount;
+  uvec2 flags;         // one command in each list whose range has triangles, packed as sums
+};
+
+/// @param index  of the bin; may lie behind the last one
+BinDraw binDrawOf(uint index) {
+  BinDraw draw;
+  draw.first = draw.instanceCount = 0u;
+  draw.flags = uvec2(0u);
+  if (index >= listView.binCount) return draw;
+  Bin bin = bins[index];
+  Chain chain = chains[bin.chain];
+  uint entry = entryIndex(chain, bin.bin, 0u);
+  draw.first = min(offsetOf(entry), listView.capacity);
+  draw.instanceCount = min(offsetOf(entry + chain.tileCount), listView.capacity) - draw.first;
+  draw.ranges = rangesOf(chain, bin.bin);
+  uint flags = 0u;
+  for (uint k = 0u; k < kListsPerDetail; ++k)
+    flags |= (draw.instanceCount > 0u && draw.ranges.count[k] > 0u ? 1u : 0u) << (10u * k);
+  draw.flags = draw.ranges.firstList == kListSolid ? uvec2(flags, 0u) : uvec2(0u, flags);
+  return draw;
+}
+
+/// Leaves in sums the inclusive prefix sum over the lanes. Every lane of the workgroup has to call it.
+void addUpLanes(uint lane, uvec2 own) {
+  sums[lane] = own;
+  barrier();
+  for (uint reach = 1u; reach < kScanGroupSize; reach <<= 1u) {
+    uvec2 before = lane >= reach ? sums[lane - reach] : uvec2(0u);
+    barrier();
+    sums[lane] += before;
+    barrier();
+  }
+}
+
+/// @param place  commands of the lanes before, packed   @param written  commands of the rounds before, per list
+void writeCommands(BinDraw draw, uvec2 place, uint written[kListCount]) {
+  for (uint k = 0u; k < kListsPerDetail; ++k) {
+    uint list = (draw.flags.y != 0u ? kListSolidPatch : kListSolid) + k;
+    if (countIn(draw.flags, list) == 0u) continue;
+    commands[list * listView.commandCapacity + written[list] + countIn(place, list)] = DrawCommand(
+        draw.ranges.count[k], draw.instanceCount, draw.ranges.firstIndex[k], draw.ranges.baseVertex, draw.first);
+  }
+}
+
+void writeEmptyCommands(uint lane, uint written[kListCount]) {
+  uint lists = listView.patches != 0u ? kListCount : kListsPerDetail;
+  for (uint list = 0u; list < lists; ++list) {
+    for (uint i = written[list] + lane; i < listView.commandCapacity; i += kScanGroupSize)
+      commands[list * listView.commandCapacity + i] = DrawCommand(0u, 0u, 0u, 0, 0u);
+  }
 }
 
 void main() {
@@ -45,46 +102,14 @@ void main() {
   uint written[kListCount];
   for (uint list = 0u; list < kListCount; ++list) written[list] = 0u;
   for (uint start = 0u; start < listView.binCount; start += kScanGroupSize) {
-    uint index = start + lane;
-    uvec2 own = uvec2(0u);
-    Ranges ranges;
-    uint first = 0u, instanceCount = 0u;
-    if (index < listView.binCount) {
-      Bin bin = bins[index];
-      Chain chain = chains[bin.chain];
-      uint entry = entryIndex(chain, bin.bin, 0u);
-      first = min(offsetOf(entry), listView.capacity);
-      instanceCount = min(offsetOf(entry + chain.tileCount), listView.capacity) - first;
-      ranges = rangesOf(chain, bin.bin);
-      uint flags = 0u;
-      for (uint k = 0u; k < kListsPerDetail; ++k)
-        flags |= (instanceCount > 0u && ranges.count[k] > 0u ? 1u : 0u) << (10u * k);
-      own = ranges.firstList == kListSolid ? uvec2(flags, 0u) : uvec2(0u, flags);
-    }
-    sums[lane] = own;
-    barrier();
-    for (uint reach = 1u; reach < kScanGroupSize; reach <<= 1u) {
-      uvec2 before = lane >= reach ? sums[lane - reach] : uvec2(0u);
-      barrier();
-      sums[lane] += before;
-      barrier();
-    }
-    uvec2 place = sums[lane] - own;
+    BinDraw draw = binDrawOf(start + lane);
+    addUpLanes(lane, draw.flags);
+    writeCommands(draw, sums[lane] - draw.flags, written);
     uvec2 total = sums[kScanGroupSize - 1u];
-    for (uint k = 0u; k < kListsPerDetail; ++k) {
-      uint list = (own.y != 0u ? kListSolidPatch : kListSolid) + k;
-      if (countIn(own, list) == 0u) continue;
-      commands[list * listView.commandCapacity + written[list] + countIn(place, list)] =
-          DrawCommand(ranges.count[k], instanceCount, ranges.firstIndex[k], ranges.baseVertex, first);
-    }
     for (uint list = 0u; list < kListCount; ++list) written[list] += countIn(total, list);
     barrier();
   }
-  uint lists = listView.patches != 0u ? kListCount : kListsPerDetail;
-  for (uint list = 0u; list < lists; ++list) {
-    for (uint i = written[list] + lane; i < listView.commandCapacity; i += kScanGroupSize)
-      commands[list * listView.commandCapacity + i] = DrawCommand(0u, 0u, 0u, 0, 0u);
-  }
+  writeEmptyCommands(lane, written);
   if (lane == 0u) {
     for (uint list = 0u; list < kListCount; ++list) drawCounts[list] = written[list];
     writeTotals();

@@ -5,13 +5,12 @@
 #include <limits>
 
 #include "policy/traits.h"
+#include "scene/scene_data.h"
+#include "shared/limits.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 namespace {
-
-constexpr float kRounding = 1.0F / 1048576.0F;
-constexpr float kDepthSlack = 1.0F / 16384.0F;
 
 glm::vec3 boxCorner(const Aabb& box, unsigned corner) {
   return {(corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
@@ -28,8 +27,8 @@ glm::vec4 clipRounding(const gpu::Transform& t, const Aabb& box, const glm::mat4
   const glm::vec4 reach(glm::max(glm::abs(box.min), glm::abs(box.max)), 1.0F);
   const glm::vec3 world(glm::dot(glm::abs(t.worldFromObject0), reach), glm::dot(glm::abs(t.worldFromObject1), reach),
                         glm::dot(glm::abs(t.worldFromObject2), reach));
-  return kRounding * (glm::abs(clipFromWorld[0]) * world.x + glm::abs(clipFromWorld[1]) * world.y +
-                      glm::abs(clipFromWorld[2]) * world.z + glm::abs(clipFromWorld[3]));
+  return gpu::kRounding * (glm::abs(clipFromWorld[0]) * world.x + glm::abs(clipFromWorld[1]) * world.y +
+                           glm::abs(clipFromWorld[2]) * world.z + glm::abs(clipFromWorld[3]));
 }
 
 unsigned planesBeyond(const glm::vec4& clip, const glm::vec3& margin) {
@@ -38,31 +37,72 @@ unsigned planesBeyond(const glm::vec4& clip, const glm::vec3& margin) {
          (clip.z < -margin.z ? 16U : 0U) | (clip.z > clip.w + margin.z ? 32U : 0U);
 }
 
-/// Whether the detail of what is tested follows from a block that is only looked at then.
-bool followsBlock(const gpu::CullView& view) {
-  return has(view.traits, gpu::kTraitFollowsLv) && !has(view.traits, gpu::kTraitLvPixels);
-}
-
-/// What the last frame left of an object.
+/// What earlier frames left of an object.
 struct History {
-  bool any = false;         ///< an LV
-  bool remembered = false;  ///< to be gone on from calmly
-  bool measured = false;    ///< which came from a count
-  bool counted = false;     ///< there is a new count
+  gpu::ObjectState state;   ///< of the last frame
+  gpu::uint marks = 0;      ///< of the last frame
+  gpu::uint pixels = 0;     ///< visible ones, with counted
+  bool known = false;       ///< it was drawn in the last frame
+  bool remembered = false;  ///< the last frame was calm, and so is this one: LV is smoothed from its last value
+  bool measured = false;    ///< the remembered LV comes from a count
+  bool counted = false;     ///< pixels is valid: the object has been drawn ever since the count
 };
 
-float lvBeforeTest(const gpu::CullView& view, gpu::uint verdict, const History& history, bool measuredLater,
-                   const glm::vec4& rect, const LastFrame& last) {
-  if (!history.any) return -1.0F;
+History historyOf(const gpu::CullView& view, const LastFrame& last) {
+  History history;
+  history.state = last.state;
+  history.marks = last.marks;
+  history.known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
+  history.remembered = view.calm != 0 && (last.marks & gpu::kMarkCalm) != 0;
+  history.measured = history.remembered && (last.marks & gpu::kMarkMeasured) != 0;
+  history.counted = has(view.traits, gpu::kTraitLvPixels) && history.known &&
+                    (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
+  if (history.counted) history.pixels = last.pixels;
+  return history;
+}
+
+/// Flags that pass the history on.
+gpu::uint marksOf(const gpu::CullView& view, const History& history) {
+  const bool calm = view.calm != 0;
+  return (history.known ? gpu::kMarkKnown | (history.marks & gpu::kMarkFadeMask) : 0) |
+         (history.counted ? gpu::kMarkCounted : 0) | (calm ? gpu::kMarkCalm : 0) |
+         (history.remembered ? gpu::kMarkRemembered : 0) |
+         (calm && (history.counted || history.measured) ? gpu::kMarkMeasured : 0);
+}
+
+/// Whether analyse.comp will test the object.
+bool isTestedLater(const gpu::CullView& view, gpu::uint verdict) {
+  return verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
+}
+
+/// LV from what is known before this frame's test. @param rect  pixels; the whole screen if there is no rectangle
+float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, const glm::vec4& rect) {
+  if (!history.known && !history.remembered) return -1.0F;
   if (history.counted) {
-    const float lv = pixelsLv(static_cast<float>(last.pixels), (rect.z - rect.x) * (rect.w - rect.y));
-    return history.measured ? smoothLv(last.state.lv, lv) : lv;
+    const float lv = pixelsLv(static_cast<float>(history.pixels), (rect.z - rect.x) * (rect.w - rect.y));
+    return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
   if (history.remembered && has(view.traits, gpu::kTraitLvPixels)) {
     const bool inView = verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall;
-    return inView ? last.state.lv : forgottenLv(last.state.lv);
+    return inView ? history.state.lv : forgottenLv(history.state.lv);
   }
-  return measuredLater && has(view.traits, gpu::kTraitTwoPhases) ? last.state.lv : -1.0F;
+  return isTestedLater(view, verdict) && has(view.traits, gpu::kTraitTwoPhases) ? history.state.lv : -1.0F;
+}
+
+/// Whether the detail follows from a block that only analyse.comp looks at: until then it stays as it was.
+bool waitsForBlock(const gpu::CullView& view, const History& history, gpu::uint verdict) {
+  const bool followsBlock = has(view.traits, gpu::kTraitFollowsLv) && !has(view.traits, gpu::kTraitLvPixels);
+  return isTestedLater(view, verdict) && (history.known || history.remembered) &&
+         has(view.traits, gpu::kTraitUsesMap) && followsBlock;
+}
+
+/// @param rect  pixels, clipped; 0 if there is no rectangle
+gpu::ScreenBox screenBoxOf(const gpu::CullView& view, const BoxOnScreen& box, const glm::vec4& rect, float scale,
+                           float importance) {
+  const float pixelsPerUnit =
+      projectedScale(scale, view.focalPixels, glm::distance(glm::vec3(view.cameraWorld), box.centerWorld),
+                     box.radiusWorld, view.cameraWorld.w);
+  return {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, view.tau / importance, gpu::kCoverOpen};
 }
 
 Aabb boundsOf(const gpu::Chain& chain) {
@@ -99,7 +139,7 @@ BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObjec
     highest = glm::max(highest, pixels + guard);
     result.nearestDepth = glm::max(result.nearestDepth, (clip.z + error.z) / w);
   }
-  result.nearestDepth *= 1.0F + kDepthSlack;
+  result.nearestDepth *= 1.0F + gpu::kDepthSlack;
   result.outside = beyondAll != 0;
   result.rect =
       glm::vec4(glm::clamp(lowest, glm::vec2(0.0F), viewport), glm::clamp(highest, glm::vec2(0.0F), viewport));
@@ -153,46 +193,31 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits) {
   return verdict == gpu::kVerdictPending && has(traits, gpu::kTraitUsesMap) ? 0 : gpu::kMarkLate | gpu::kMarkVisible;
 }
 
-Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
-                          const LastFrame& last, const ImportanceMask* importance) {
+ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
+                              const LastFrame& last, const ImportanceMask* importance) {
   const gpu::Transform& transform = scene.transforms[objectIndex];
   const gpu::Chain& chain = scene.chains[scene.objects[objectIndex].chain];
-  const BoxOnScreen box =
-      boxOnScreen(transform, boundsOf(chain), view.clipFromWorld, glm::vec2(view.viewportWidth, view.viewportHeight));
+  const glm::vec2 viewport(view.viewportWidth, view.viewportHeight);
+  const BoxOnScreen box = boxOnScreen(transform, boundsOf(chain), view.clipFromWorld, viewport);
   const bool hasRect = !box.outside && !box.crossesNear;
   const glm::vec4 rect = hasRect ? box.rect : glm::vec4(0.0F);
   const float weight =
       hasRect && importance != nullptr ? importance->largestIn(rect, view.viewportWidth, view.viewportHeight) : 1.0F;
-  const float pixelsPerUnit =
-      projectedScale(largestScale(transform), view.focalPixels,
-                     glm::distance(glm::vec3(view.cameraWorld), box.centerWorld), box.radiusWorld, view.cameraWorld.w);
-  const float tau = view.tau / weight;
 
-  Classified result;
-  result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, gpu::kCoverOpen};
+  ObjectDecision result;
+  result.box = screenBoxOf(view, box, rect, largestScale(transform), weight);
   const gpu::uint verdict = classify(box, view, weight);
-  const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
-  const bool counted = has(view.traits, gpu::kTraitLvPixels) && known &&
-                       (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
-  const bool remembered = view.calm != 0 && (last.marks & gpu::kMarkCalm) != 0;
-  const bool measured = remembered && (last.marks & gpu::kMarkMeasured) != 0;
-  result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.traits) |
-                 (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
-                 (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0) | (counted ? gpu::kMarkCounted : 0) |
-                 (view.calm != 0 ? gpu::kMarkCalm : 0) | (remembered ? gpu::kMarkRemembered : 0) |
-                 (view.calm != 0 && (counted || measured) ? gpu::kMarkMeasured : 0);
-  const bool measuredLater = verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
-  const History history{known || remembered, remembered, measured, counted};
-  const glm::vec4 shown = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
-  result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, verdict, history, measuredLater, shown, last)};
-  if (measuredLater && history.any && has(view.traits, gpu::kTraitUsesMap) && followsBlock(view)) {
-    result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
-    return result;
+  const History history = historyOf(view, last);
+  result.marks = phasesOf(verdict, isExpectedVisible(history.marks, rect, view), view.traits) |
+                 (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history);
+  const float lv = lvBeforeTest(view, history, verdict, hasRect ? rect : glm::vec4(glm::vec2(0.0F), viewport));
+  result.state = {verdict, 0, view.maxTessellation, lv};
+  if (waitsForBlock(view, history, verdict)) {
+    result.state = {verdict, history.state.lod, history.state.tessellation, history.state.lv};
+  } else {
+    const bool seen = history.known && (!history.counted || history.pixels > 0);
+    chooseDetail(view, detailInput(scene, chain, result.box, seen, history.state), result.state, result.marks);
   }
-  const std::span<const gpu::Lod> lods = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
-  const bool seen = known && (!counted || last.pixels > 0);
-  chooseDetail(view, lods, scene.lods[chain.patchLod].errorObject, result.box, seen, last.state, result.state,
-               result.marks);
   return result;
 }
 

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "core/aabb.h"
-#include "scene/scene_data.h"
 #include "shared/frame_structs.h"
+#include "shared/scene_structs.h"
 #include "visibility/importance_mask.h"
+#include "visibility/object_decision.h"
+
+namespace jalousie::scene {
+struct SceneData;
+}
 
 namespace jalousie::visibility {
 
@@ -40,29 +44,23 @@ bool isMirrored(const gpu::Transform& transform);
 /// Verdict of one box before the overlap test. @param importance  in (0, 1]; scales the pixels it counts for
 gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance = 1.0F);
 
-/// Two phases: whether an object is drawn before the test. What was tested in the last frame is expected to stay as it
-/// was; of what is new, the large ones (kLargeShare). @param rect  pixels, clipped
+/// Two phases: whether an object is drawn before the test. An object that was tested in the last frame is expected to
+/// keep its visibility; of the others, those with a large rectangle (kLargeShare) are expected to be visible.
+/// @param rect  pixels, clipped
 bool isExpectedVisible(gpu::uint lastMarks, const glm::vec4& rect, const gpu::CullView& view);
 
-/// kMark... that the verdict alone decides. @param traits  gpu::CullView::traits
+/// Flags (kMark...) that the verdict alone decides. @param traits  gpu::CullView::traits
 gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits);
 
-/// What the kernel writes for one object.
-struct Classified {
-  gpu::ObjectState state{};
-  gpu::ScreenBox box{};
-  gpu::uint marks = 0;
-};
-
-/// What is left of one object from the last frame.
+/// What the last frame left of one object.
 struct LastFrame {
   gpu::ObjectState state{};
   gpu::uint marks = 0;
-  gpu::uint pixels = 0;  ///< that showed the object
+  gpu::uint pixels = 0;  ///< visible ones, when they were last counted
 };
 
-/// @param importance  null: no mask
-Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
-                          const LastFrame& last, const ImportanceMask* importance = nullptr);
+/// What the kernel writes for one object. @param importance  null: no mask
+ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
+                              const LastFrame& last, const ImportanceMask* importance = nullptr);
 
 }  // namespace jalousie::visibility

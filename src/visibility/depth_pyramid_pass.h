@@ -7,7 +7,7 @@
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "visibility/occlusion_map_reference.h"
+#include "visibility/map_layout.h"
 
 namespace jalousie::visibility {
 

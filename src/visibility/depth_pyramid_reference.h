@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "visibility/occlusion_map_reference.h"
+#include "visibility/map_layout.h"
 
 namespace jalousie::visibility {
 

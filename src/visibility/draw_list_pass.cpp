@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "scene/scene_data.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {

@@ -1,4 +1,5 @@
-// Draw lists on the GPU: what a phase draws, sorted by chain and level without atomics (docs/two_phase_culling.md).
+// Draw lists on the GPU: the instances of a phase, sorted by chain and level without atomics
+// (docs/two_phase_culling.md).
 #pragma once
 
 #include <cstdint>
@@ -6,23 +7,19 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "scene/scene_data.h"
 #include "visibility/draw_lists_reference.h"
-#include "visibility/visibility_pass.h"
+#include "visibility/pass_bindings.h"
+
+namespace jalousie::scene {
+struct SceneData;
+}
 
 namespace jalousie::visibility {
 
-/// What a list may hold and how it is drawn. Everything is allocated once.
-struct DrawListOptions {
-  Submission submission = Submission::kInstanced;
-  std::uint32_t capacity = 0;  ///< most instances; more are dropped and counted
-  bool patches = false;        ///< the scene has patch bases: twice as many lists
-};
-
-/// One list: instances and the commands that draw them.
+/// One list: instances and the commands that draw them. Everything is allocated once.
 class DrawList {
  public:
-  /// @param phase  kMarkEarly or kMarkLate: which marks put an object on the list
+  /// @param phase  kMarkEarly or kMarkLate: the flag of the objects on the list
   /// Errors: kLimit if the commands exceed the driver's largest storage block.
   DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options);
 
@@ -50,9 +47,6 @@ class DrawListPass {
 
   /// Leaves COMMAND, VERTEX_ATTRIB_ARRAY, STORAGE and BUFFER_UPDATE barriers.
   void build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided);
-  void build(DrawList& list, const SceneBindings& scene, const VisibilityPass& visibility) {
-    build(list, scene, visibility.decided());
-  }
 
  private:
   void bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const;

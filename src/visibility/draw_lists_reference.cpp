@@ -1,10 +1,11 @@
-// Sorts by bin, stable; the GPU reaches the same order with counts and prefix sums.
+// Builds the lists with a stable sort by bin; the GPU reaches the same order with counts and prefix sums.
 #include "visibility/draw_lists_reference.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include "policy/traits.h"
+#include "scene/scene_data.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
@@ -17,11 +18,10 @@ struct Ranges {
   int baseVertex = 0;
 };
 
-/// Solid triangles of a mirrored object would be culled by their winding, so they go to the sheet list.
-Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint bin, gpu::uint traits) {
+/// Solid triangles of a mirrored object go to the sheet list: the solid one would cull them by their winding.
+Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint bin, bool patches) {
   const gpu::uint level = bin / 2;
   const bool mirrored = bin % 2 == 1;
-  const bool patches = has(traits, gpu::kTraitPatches);
   const gpu::Lod& lod = scene.lods[patches ? chain.patchLod : chain.firstLod + level];
   Ranges ranges;
   ranges.firstList = patches && level > 0 ? gpu::kListSolidPatch : gpu::kListSolid;
@@ -32,25 +32,62 @@ Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uin
   return ranges;
 }
 
-bool drawsOcclusionMap(const gpu::CullView& view, gpu::uint phase) {
-  return phase == gpu::kMarkEarly && !has(view.traits, gpu::kTraitTwoPhases);
+/// One list of a frame.
+struct List {
+  const scene::SceneData& scene;
+  const gpu::CullView& view;
+  gpu::uint phase;
+  bool patches;
+};
+
+/// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
+bool drawsOcclusionMap(const List& list) {
+  return list.phase == gpu::kMarkEarly && !has(list.view.traits, gpu::kTraitTwoPhases);
 }
 
-bool isFading(const gpu::CullView& view, gpu::uint marks, gpu::uint phase) {
-  return fadeFrames(marks) > 0 && !has(view.traits, gpu::kTraitPatches) && !drawsOcclusionMap(view, phase);
+/// An object in a cross-fade is drawn through the sheet list, which can leave out pixels.
+bool isFading(const List& list, gpu::uint marks) {
+  return fadeFrames(marks) > 0 && !list.patches && !drawsOcclusionMap(list);
 }
 
-/// What fades is drawn through the sheet list, where pixels can be left out.
-gpu::uint binOf(const scene::SceneData& scene, const gpu::CullView& view, const gpu::ObjectState& state,
-                const gpu::ScreenBox& box, gpu::uint marks, const gpu::Chain& chain, gpu::uint phase) {
-  gpu::uint level = state.lod;
-  if (has(view.traits, gpu::kTraitPatches)) {
-    level = state.tessellation > 1 ? 1 : 0;
-  } else if (drawsOcclusionMap(view, phase)) {
-    level = pixelErrorLod(std::span(scene.lods).subspan(chain.firstLod, chain.lodCount), box.pixelsPerUnit,
-                          view.occluderTau);
+gpu::uint binOf(const List& list, const gpu::Chain& chain, const ObjectDecision& object) {
+  gpu::uint level = object.state.lod;
+  if (list.patches) {
+    level = object.state.tessellation > 1 ? 1 : 0;
+  } else if (drawsOcclusionMap(list)) {
+    level = pixelErrorLod(std::span(list.scene.lods).subspan(chain.firstLod, chain.lodCount), object.box.pixelsPerUnit,
+                          list.view.occluderTau);
   }
-  return 2 * level + ((marks & gpu::kMarkMirrored) != 0 || isFading(view, marks, phase) ? 1 : 0);
+  return 2 * level + ((object.marks & gpu::kMarkMirrored) != 0 || isFading(list, object.marks) ? 1 : 0);
+}
+
+/// One instance of the list.
+struct Entry {
+  gpu::uint chain, bin, tile;
+  bool fadesOut;    ///< the second instance of an object in a cross-fade
+  gpu::uint value;  ///< of the instance list
+};
+
+/// All instances in the order of the list: by chain, bin and tile, and in a tile by object.
+std::vector<Entry> sortedEntries(const List& list, const ObjectDecisions& objects) {
+  std::vector<Entry> entries;
+  for (gpu::uint t = 0; t < list.scene.binLayout.tiles.size(); ++t) {
+    const gpu::Tile& tile = list.scene.binLayout.tiles[t];
+    for (gpu::uint i = tile.firstObject; i < tile.firstObject + tile.objectCount; ++i) {
+      const ObjectDecision object = objects[i];
+      if ((object.marks & list.phase) == 0) continue;
+      const bool fades = isFading(list, object.marks);
+      const gpu::uint bin = binOf(list, list.scene.chains[tile.chain], object);
+      entries.push_back({tile.chain, bin, t, false, fades ? i | gpu::kInstanceFadingIn : i});
+      if (!fades) continue;
+      const gpu::uint fadingBin = 2 * fadingLod(object.state.lod, object.marks) + 1;
+      entries.push_back({tile.chain, fadingBin, t, true, i | gpu::kInstanceFadingOut});
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.chain, a.bin, a.tile, a.fadesOut) < std::tie(b.chain, b.bin, b.tile, b.fadesOut);
+  });
+  return entries;
 }
 
 void addCommands(DrawLists& lists, const Ranges& ranges, gpu::uint first, gpu::uint instances, bool keepEmpty) {
@@ -61,7 +98,7 @@ void addCommands(DrawLists& lists, const Ranges& ranges, gpu::uint first, gpu::u
   }
 }
 
-/// The commands of the other detail path's lists at this place.
+/// Empty commands at the same place of the other detail path's lists.
 void addNothing(DrawLists& lists, const Ranges& ranges, bool patches) {
   if (!patches) return;
   const gpu::uint other = ranges.firstList == gpu::kListSolid ? gpu::kListSolidPatch : gpu::kListSolid;
@@ -71,45 +108,23 @@ void addNothing(DrawLists& lists, const Ranges& ranges, bool patches) {
 
 }  // namespace
 
-DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view,
-                         std::span<const gpu::ObjectState> states, std::span<const gpu::ScreenBox> boxes,
-                         std::span<const gpu::uint> marks, gpu::uint phase, Submission submission,
-                         std::uint32_t capacity) {
-  struct Entry {
-    gpu::uint chain, bin, tile;
-    bool goes;  ///< the level that fades out
-    gpu::uint value;
-  };
-  std::vector<Entry> entries;
-  for (gpu::uint t = 0; t < scene.binLayout.tiles.size(); ++t) {
-    const gpu::Tile& tile = scene.binLayout.tiles[t];
-    for (gpu::uint i = tile.firstObject; i < tile.firstObject + tile.objectCount; ++i) {
-      if ((marks[i] & phase) == 0) continue;
-      const bool fades = isFading(view, marks[i], phase);
-      const gpu::uint bin = binOf(scene, view, states[i], boxes[i], marks[i], scene.chains[tile.chain], phase);
-      entries.push_back({tile.chain, bin, t, false, fades ? i | gpu::kInstanceFadingIn : i});
-      if (fades)
-        entries.push_back(
-            {tile.chain, 2 * fadingLod(states[i].lod, marks[i]) + 1, t, true, i | gpu::kInstanceFadingOut});
-    }
-  }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.chain, a.bin, a.tile, a.goes) < std::tie(b.chain, b.bin, b.tile, b.goes);
-  });
+DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+                         gpu::uint phase, const DrawListOptions& options) {
+  const List list{scene, view, phase, has(view.traits, gpu::kTraitPatches)};
+  std::vector<Entry> entries = sortedEntries(list, objects);
   DrawLists lists;
-  const std::size_t kept = std::min<std::size_t>(entries.size(), capacity);
+  const std::size_t kept = std::min<std::size_t>(entries.size(), options.capacity);
   lists.dropped = static_cast<std::uint32_t>(entries.size() - kept);
   entries.resize(kept);
+  const bool perObject = options.submission == Submission::kPerObject;
   for (std::size_t i = 0; i < entries.size();) {
     const Entry& entry = entries[i];
     std::size_t end = i + 1;
-    while (submission == Submission::kInstanced && end < entries.size() && entries[end].chain == entry.chain &&
-           entries[end].bin == entry.bin)
+    while (!perObject && end < entries.size() && entries[end].chain == entry.chain && entries[end].bin == entry.bin)
       ++end;
-    const Ranges ranges = rangesOf(scene, scene.chains[entry.chain], entry.bin, view.traits);
-    const bool perObject = submission == Submission::kPerObject;
+    const Ranges ranges = rangesOf(scene, scene.chains[entry.chain], entry.bin, list.patches);
     addCommands(lists, ranges, static_cast<gpu::uint>(i), static_cast<gpu::uint>(end - i), perObject);
-    if (perObject) addNothing(lists, ranges, has(view.traits, gpu::kTraitPatches));
+    if (perObject) addNothing(lists, ranges, list.patches);
     for (; i < end; ++i)
       lists.instances.push_back(entries[i].value);
   }

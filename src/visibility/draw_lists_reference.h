@@ -6,9 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene_data.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
+#include "shared/scene_structs.h"
+#include "visibility/object_decision.h"
+
+namespace jalousie::scene {
+struct SceneData;
+}
 
 namespace jalousie::visibility {
 
@@ -18,6 +23,13 @@ enum class Submission : std::uint32_t {
   kPerObject = 1,  ///< one command per instance: the reference
 };
 
+/// What a list may hold and how it is drawn.
+struct DrawListOptions {
+  Submission submission = Submission::kInstanced;
+  std::uint32_t capacity = 0;  ///< most instances; the first ones stay, the others are dropped and counted
+  bool patches = false;        ///< the scene has patch bases: twice as many lists
+};
+
 /// What one list draws.
 struct DrawLists {
   std::vector<gpu::uint> instances;  ///< object ids with kInstance... bits, bin after bin
@@ -25,11 +37,8 @@ struct DrawLists {
   std::uint32_t dropped = 0;                                            ///< instances beyond the capacity
 };
 
-/// @param states, boxes, marks  [scene.objects.size()]   @param phase  kMarkEarly or kMarkLate
-/// @param capacity  most instances the list holds; the first ones stay
-DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view,
-                         std::span<const gpu::ObjectState> states, std::span<const gpu::ScreenBox> boxes,
-                         std::span<const gpu::uint> marks, gpu::uint phase, Submission submission,
-                         std::uint32_t capacity);
+/// @param phase  kMarkEarly or kMarkLate
+DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+                         gpu::uint phase, const DrawListOptions& options);
 
 }  // namespace jalousie::visibility

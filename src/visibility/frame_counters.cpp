@@ -1,9 +1,10 @@
-// Counts object by object.
+// Counts the verdicts, levels and triangles object by object.
 #include "visibility/frame_counters.h"
 
 #include "core/check.h"
 #include "policy/traits.h"
 #include "scene/patch_base.h"
+#include "scene/scene_data.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {

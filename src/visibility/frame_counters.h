@@ -1,4 +1,4 @@
-// Figures of one frame, as the GPU counts them. Plain CPU twin of shaders/visibility/count_states.comp.
+// Statistics of one frame, as the GPU counts them. Plain CPU twin of shaders/visibility/count_states.comp.
 #pragma once
 
 #include <array>
@@ -6,20 +6,24 @@
 #include <span>
 
 #include "policy/traits.h"
-#include "scene/scene_data.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
+#include "shared/scene_structs.h"
+
+namespace jalousie::scene {
+struct SceneData;
+}
 
 namespace jalousie::visibility {
 
 using FrameCounters = std::array<gpu::uint, gpu::kCounterCount>;
 
-/// Whether an object is drawn into the frame, by its marks.
+/// Whether an object is drawn into the frame. @param marks  kMark...   @param traits  gpu::CullView::traits
 inline bool isDrawn(gpu::uint marks, gpu::uint traits) {
   return (marks & (has(traits, gpu::kTraitTwoPhases) ? gpu::kMarkEarly | gpu::kMarkLate : gpu::kMarkLate)) != 0;
 }
 
-/// Triangles one object is drawn with.
+/// Triangles that one object is drawn with. @param traits  gpu::CullView::traits
 std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint traits,
                           const gpu::ObjectState& state);
 
@@ -27,7 +31,7 @@ std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
                           std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks);
 
-/// The triangles that the four limbs add up to.
+/// Number of drawn triangles: the sum of the four counters kCounterTriangles.
 std::uint64_t triangleSum(const FrameCounters& counters);
 
 }  // namespace jalousie::visibility

@@ -1,6 +1,7 @@
-// One dispatch before the list is built as any other.
+// Marks the culled objects in one dispatch, then builds the list like any other.
 #include "visibility/ghost_pass.h"
 
+#include "scene/scene_data.h"
 #include "shared/limits.h"
 #include "visibility/program_table.h"
 
@@ -13,23 +14,23 @@ GhostPass::GhostPass(const scene::SceneData& scene, const gl::Program& markProgr
       marks_(sizeof(gpu::uint) * objectCount_, 0, "ghost marks"),
       list_(scene, gpu::kMarkLate, {Submission::kInstanced, objectCount_, scene.maxPatchTriangles > 0}) {}
 
-void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const VisibilityPass& visibility) {
+void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const ObjectBuffers& frame) {
   if (objectCount_ == 0) return;
   markProgram_.use();
-  visibility.view().bindUniform(gpu::kBindingCullView);
+  frame.view->bindUniform(gpu::kBindingCullView);
   scene.objects->bindStorage(gpu::kBindingObjects);
   scene.chains->bindStorage(gpu::kBindingChains);
-  visibility.states().bindStorage(gpu::kBindingStates);
-  visibility.marks().bindStorage(gpu::kBindingMarks);
+  frame.states->bindStorage(gpu::kBindingStates);
+  frame.marks->bindStorage(gpu::kBindingMarks);
   states_.bindStorage(gpu::kBindingGhostStates);
   marks_.bindStorage(gpu::kBindingGhostMarks);
   glDispatchCompute((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  lists.build(list_, scene, decided(visibility));
+  lists.build(list_, scene, decided(frame));
 }
 
-ObjectBuffers GhostPass::decided(const VisibilityPass& visibility) const {
-  return {&visibility.view(), &states_, &visibility.boxes(), &marks_};
+ObjectBuffers GhostPass::decided(const ObjectBuffers& frame) const {
+  return {frame.view, &states_, frame.boxes, &marks_};
 }
 
 }  // namespace jalousie::visibility

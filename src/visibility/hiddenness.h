@@ -1,4 +1,4 @@
-// How hidden a block of what lies in front makes an object: measures in [0, 1] that relax its budget.
+// Measures of how occluded an object behind a block of texels is, in [0, 1]; they relax its error budget.
 #pragma once
 
 #include <cstdint>

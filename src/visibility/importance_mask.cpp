@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "visibility/occlusion_map_reference.h"
-#include "visibility/overlap_reference.h"
+#include "shared/limits.h"
+#include "visibility/pyramid_addressing.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -52,7 +52,7 @@ float ImportanceMask::largestIn(const glm::vec4& rect, std::uint32_t viewportWid
   const std::uint32_t level =
       std::min(levelForExtent(std::max(scaled.z - scaled.x, scaled.w - scaled.y)), levels() - 1);
   const TexelRange texels = pixels.atLevel(level);
-  float importance = kLeastImportance;
+  float importance = gpu::kLeastImportance;
   for (std::uint32_t y = texels.firstY; y <= texels.lastY; ++y)
     for (std::uint32_t x = texels.firstX; x <= texels.lastX; ++x)
       importance =

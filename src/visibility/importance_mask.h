@@ -1,4 +1,4 @@
-// How much each region of the screen matters (Tai and Hsu: importance culling), as a pyramid of largest values.
+// Importance of each region of the screen (Tai and Hsu: importance culling), as a pyramid of largest values.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,8 @@
 
 namespace jalousie::visibility {
 
-/// Lowest importance a region can have: tau grows to at most 16 times.
-inline constexpr float kLeastImportance = 1.0F / 16.0F;
-
-/// A grey mask stretched over the screen: white matters fully, black least. GPU twin: shaders/lib/importance.glsl
+/// A grey mask stretched over the screen: white has importance 1, black kLeastImportance. GPU twin:
+/// shaders/lib/importance.glsl
 class ImportanceMask {
  public:
   /// @param image  its luminance counts (Rec. 709 weights of the bytes); row 0 is the top of the screen
@@ -28,7 +26,7 @@ class ImportanceMask {
   std::span<const std::uint8_t> level(std::uint32_t level) const { return levels_[level]; }
 
   /// Largest value over a rectangle of the screen (min.xy, max.xy in pixels, origin at the lower left), at a level
-  /// where at most 2x2 texels are touched; in [kLeastImportance, 1].
+  /// where at most 2x2 texels are touched; in [gpu::kLeastImportance, 1].
   float largestIn(const glm::vec4& rect, std::uint32_t viewportWidth, std::uint32_t viewportHeight) const;
 
  private:

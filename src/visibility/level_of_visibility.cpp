@@ -12,7 +12,7 @@ namespace jalousie::visibility {
 namespace {
 
 double cosine(std::uint32_t frequency, std::uint32_t index, std::uint32_t count) {
-  // cos(pi/2) is not exactly 0 in floating point; here it must be, or one-texel-wide blocks gain a spectrum.
+  // std::cos(pi/2) is not exactly 0. The cosine must be, or a block that is one texel wide would have a spectrum.
   if (frequency == 1 && 2 * index + 1 == count) return 0.0;
   return std::cos(std::numbers::pi * frequency * (2.0 * index + 1.0) / (2.0 * count));
 }
@@ -21,7 +21,9 @@ double normalisation(std::uint32_t frequency, std::uint32_t count) {
   return std::sqrt((frequency == 0 ? 1.0 : 2.0) / count);
 }
 
-double coefficient(const Block& block, std::uint32_t u, std::uint32_t v) {
+}  // namespace
+
+double dctCoefficient(const Block& block, std::uint32_t u, std::uint32_t v) {
   double sum = 0.0;
   for (std::uint32_t j = 0; j < block.height; ++j)
     for (std::uint32_t i = 0; i < block.width; ++i)
@@ -29,8 +31,6 @@ double coefficient(const Block& block, std::uint32_t u, std::uint32_t v) {
              cosine(v, j, block.height);
   return sum * normalisation(u, block.width) * normalisation(v, block.height);
 }
-
-}  // namespace
 
 std::array<float, 256> cosineTable() {
   std::array<float, 256> table = {};
@@ -44,7 +44,7 @@ std::vector<double> dct2d(const Block& block) {
   std::vector<double> coefficients(std::size_t{block.width} * block.height);
   for (std::uint32_t v = 0; v < block.height; ++v)
     for (std::uint32_t u = 0; u < block.width; ++u)
-      coefficients[std::size_t{v} * block.width + u] = coefficient(block, u, v);
+      coefficients[std::size_t{v} * block.width + u] = dctCoefficient(block, u, v);
   return coefficients;
 }
 

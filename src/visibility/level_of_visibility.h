@@ -1,4 +1,4 @@
-// The level of visibility (LV): how hidden a block of the occlusion map makes what lies behind it (thesis 3.5).
+// The level of visibility (LV): how occluded an object behind a block of the occlusion map is (thesis 3.5).
 #pragma once
 
 #include <array>
@@ -23,9 +23,12 @@ struct LowCoefficients {
   float f11 = 0.0F;
 };
 
-/// cos(pi (2i + 1) / 2N) at [16 (N - 1) + i] for N = 1..16; zero where i >= N. The same table is uploaded for the
-/// kernels.
+/// cos(pi (2i + 1) / 2N) at [16 (N - 1) + i] for N = 1..16; zero where i >= N. The kernels use the
+/// same table.
 std::array<float, 256> cosineTable();
+
+/// One coefficient F(u, v) of dct2d. O(NM).
+double dctCoefficient(const Block& block, std::uint32_t u, std::uint32_t v);
 
 /// Orthonormal 2D DCT-II, all coefficients, F(u, v) at [v * width + u]. Eq. 3.2 with the factors the thesis' own
 /// numbers need: a(0, N) = sqrt(1/N), a(u, N) = sqrt(2/N) for u > 0. O(N^2 M^2) in double; for tests and small blocks.

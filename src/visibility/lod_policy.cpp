@@ -1,10 +1,11 @@
-// The thesis' linear mapping and the projected error; plain CPU twin of shaders/lib/lod.glsl.
+// The linear mapping of the thesis and the projected error; plain CPU twin of shaders/lib/lod.glsl.
 #include "visibility/lod_policy.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "policy/traits.h"
+#include "scene/scene_data.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -91,62 +92,81 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
   return last < lowest ? last + 1 : last > highest ? last - 1 : last;
 }
 
+DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, const gpu::ScreenBox& box, bool seen,
+                        const gpu::ObjectState& last) {
+  return {std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
+          scene.lods[chain.patchLod].errorObject,
+          box.pixelsPerUnit,
+          box.tau,
+          seen,
+          last};
+}
+
 namespace {
 
+/// Screen-space error that an object may have.
 struct Budget {
-  float tau, relaxed, share;
+  float tau;      ///< pixels, for a fully visible object
+  float relaxed;  ///< factor for this one
+  float share;    ///< visible share
 };
 
-void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchPixels, float pixelsPerUnit,
-                  const Budget& budget, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
-                  gpu::uint& marks) {
+/// Tessellation level that follows the budget within the hysteresis, one level at a time.
+std::uint32_t calmTessellation(const gpu::CullView& view, const DetailInput& object, const Budget& budget) {
+  const float patchPixels = object.patchError * object.pixelsPerUnit;
   const float whole = budget.tau * budget.relaxed;
-  state.tessellation =
-      stepTowards(last.tessellation, pixelErrorTessellation(patchPixels, whole * view.hysteresis, view.maxTessellation),
-                  pixelErrorTessellation(patchPixels, whole / view.hysteresis, view.maxTessellation));
-  state.lod = last.lod;
-  const gpu::uint left = std::min(fadeFrames(marks), view.fadeFrames + 1);
-  if (seen && left > 1) {
+  return stepTowards(object.last.tessellation,
+                     pixelErrorTessellation(patchPixels, whole * view.hysteresis, view.maxTessellation),
+                     pixelErrorTessellation(patchPixels, whole / view.hysteresis, view.maxTessellation));
+}
+
+/// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes
+/// by one and is cross-faded. An object of which no pixel was visible switches at once to the nearest level that fits.
+void followBudget(const gpu::CullView& view, const DetailInput& object, const Budget& budget, gpu::ObjectState& state,
+                  gpu::uint& marks) {
+  state.tessellation = calmTessellation(view, object, budget);
+  state.lod = object.last.lod;
+  const gpu::uint left = std::min(fadeFrames(marks), view.fadeFrames + 1);  // the fade may have begun with more frames
+  if (object.seen && left > 1) {
     marks = (marks & gpu::kMarkFromCoarser) | (marks & ~gpu::kMarkFadeMask) | (left - 1) << gpu::kMarkFadeShift;
     return;
   }
   marks &= ~gpu::kMarkFadeMask;
   const std::uint32_t finest =
-      relaxedLod(levels, pixelsPerUnit, budget.tau / view.hysteresis, budget.relaxed, budget.share);
-  const std::uint32_t coarsest =
-      std::max(finest, relaxedLod(levels, pixelsPerUnit, budget.tau * view.hysteresis, budget.relaxed, budget.share));
-  state.lod = seen ? stepTowards(last.lod, finest, coarsest) : std::clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && !has(view.traits, gpu::kTraitPatches) && view.fadeFrames > 0)
-    marks |= (view.fadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
+      relaxedLod(object.levels, object.pixelsPerUnit, budget.tau / view.hysteresis, budget.relaxed, budget.share);
+  const std::uint32_t coarsest = std::max(
+      finest,
+      relaxedLod(object.levels, object.pixelsPerUnit, budget.tau * view.hysteresis, budget.relaxed, budget.share));
+  state.lod =
+      object.seen ? stepTowards(object.last.lod, finest, coarsest) : std::clamp(object.last.lod, finest, coarsest);
+  if (object.seen && state.lod != object.last.lod && !has(view.traits, gpu::kTraitPatches) && view.fadeFrames > 0)
+    marks |= (view.fadeFrames << gpu::kMarkFadeShift) | (object.last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
 }
 
 }  // namespace
 
-void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
-                  const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
-                  gpu::uint& marks) {
+void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::ObjectState& state, gpu::uint& marks) {
   const bool followsError = has(view.traits, gpu::kTraitFollowsError);
   const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);
   const bool calm = followsError && (marks & gpu::kMarkRemembered) != 0;
-  if (!calm) marks &= ~gpu::kMarkFadeMask;
+  if (!calm) marks &= ~gpu::kMarkFadeMask;  // a fade that began in calm frames ends with them
   if (followsLv && !followsError) {
-    state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
+    state.lod = linearLod(state.lv, static_cast<std::uint32_t>(object.levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
   } else if (followsError) {
-    const float relaxed = followsLv ? relaxedBudget(state.lv, view.relax) : 1.0F;
-    const float share = visibleShare(state.lv);
-    const float patchPixels = patchError * box.pixelsPerUnit;
+    Budget budget{object.tau, followsLv ? relaxedBudget(state.lv, view.relax) : 1.0F, visibleShare(state.lv)};
     if (calm) {
-      followBudget(view, levels, patchPixels, box.pixelsPerUnit,
-                   {box.tau, std::min(relaxed, gpu::kMostCalmRelaxed), std::max(share, gpu::kLeastCalmShare)}, seen,
-                   last, state, marks);
+      budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed);
+      budget.share = std::max(budget.share, gpu::kLeastCalmShare);
+      followBudget(view, object, budget, state, marks);
     } else {
-      state.lod = relaxedLod(levels, box.pixelsPerUnit, box.tau, relaxed, share);
-      state.tessellation = pixelErrorTessellation(patchPixels, box.tau * relaxed, view.maxTessellation);
+      state.lod = relaxedLod(object.levels, object.pixelsPerUnit, budget.tau, budget.relaxed, budget.share);
+      state.tessellation = pixelErrorTessellation(object.patchError * object.pixelsPerUnit, budget.tau * budget.relaxed,
+                                                  view.maxTessellation);
     }
   }
-  const bool same =
-      has(view.traits, gpu::kTraitPatches) ? state.tessellation == last.tessellation : state.lod == last.lod;
+  const bool same = has(view.traits, gpu::kTraitPatches) ? state.tessellation == object.last.tessellation
+                                                         : state.lod == object.last.lod;
   if ((marks & gpu::kMarkKnown) != 0 && !same) marks |= gpu::kMarkSwitched;
 }
 

@@ -2,19 +2,10 @@
 #include "visibility/occlusion_map_reference.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/check.h"
 
 namespace jalousie::visibility {
-
-MapLayout mapLayout(std::uint32_t screenWidth, std::uint32_t screenHeight) {
-  JAL_CHECK(std::min(screenWidth, screenHeight) >= 1U);
-  JAL_CHECK(std::max(screenWidth, screenHeight) <= 16384U);
-  MapLayout layout{screenWidth, screenHeight, std::bit_ceil(screenWidth), std::bit_ceil(screenHeight), 1};
-  layout.levels = static_cast<std::uint32_t>(std::bit_width(std::max(layout.width, layout.height)));
-  return layout;
-}
 
 OcclusionMapReference::OcclusionMapReference(const MapLayout& layout, std::span<const float> openPixels)
     : layout_(layout) {

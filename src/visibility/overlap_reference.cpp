@@ -1,10 +1,10 @@
-// Overlap test with at most two descents, then the DCT of one block (thesis Algorithm 3.1).
+// Overlap test with at most two descents, then a measure of one block (thesis Algorithm 3.1).
 #include "visibility/overlap_reference.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "policy/traits.h"
+#include "scene/scene_data.h"
 #include "shared/limits.h"
 #include "visibility/lod_policy.h"
 
@@ -33,41 +33,21 @@ glm::vec4 rectOf(const gpu::ScreenBox& box) {
   return {box.minX, box.minY, box.maxX, box.maxY};
 }
 
+gpu::ScreenBox grown(gpu::ScreenBox box, const MapLayout& layout, float guardPixels) {
+  const auto width = static_cast<float>(layout.screenWidth);
+  const auto height = static_cast<float>(layout.screenHeight);
+  box.minX = std::clamp(box.minX - guardPixels, 0.0F, width);
+  box.minY = std::clamp(box.minY - guardPixels, 0.0F, height);
+  box.maxX = std::clamp(box.maxX + guardPixels, 0.0F, width);
+  box.maxY = std::clamp(box.maxY + guardPixels, 0.0F, height);
+  return box;
+}
+
 std::uint32_t lomOf(const MapLayout& layout, const glm::vec4& rect) {
   return std::min(levelForExtent(std::max(rect.z - rect.x, rect.w - rect.y)), layout.levels - 1);
 }
 
 }  // namespace
-
-std::uint32_t levelForExtent(float extentPixels) {
-  std::uint32_t level = 0;
-  while (level < 31 && static_cast<float>(1U << level) < extentPixels)
-    ++level;
-  return level;
-}
-
-TexelRange touchedPixels(const glm::vec4& rect, std::uint32_t width, std::uint32_t height) {
-  const auto first = [](float lower, std::uint32_t limit) {
-    return std::min(static_cast<std::uint32_t>(std::floor(lower)), limit - 1);
-  };
-  const auto last = [](float upper, std::uint32_t start, std::uint32_t limit) {
-    return std::max(std::min(static_cast<std::uint32_t>(std::ceil(upper)), limit), start + 1) - 1;
-  };
-  const std::uint32_t firstX = first(rect.x, width);
-  const std::uint32_t firstY = first(rect.y, height);
-  return {firstX, firstY, last(rect.z, firstX, width), last(rect.w, firstY, height)};
-}
-
-BlockSpan blockSpan(std::uint32_t firstPixel, std::uint32_t lastPixel, float lower, float upper, std::uint32_t level) {
-  BlockSpan span{firstPixel >> level, (lastPixel >> level) - (firstPixel >> level) + 1};
-  if (span.count <= gpu::kMaxBlockSide) return span;
-  const auto size = static_cast<float>(1U << level);
-  const float coveredFirst = static_cast<float>(span.first + 1) * size - lower;
-  const float coveredLast = upper - static_cast<float>(span.first + span.count - 1) * size;
-  if (coveredFirst < coveredLast) ++span.first;
-  span.count = gpu::kMaxBlockSide;
-  return span;
-}
 
 float Cover::opacity(std::uint32_t x, std::uint32_t y, std::uint32_t level, float nearestDepth) const {
   if (pyramid != nullptr && !(pyramid->farthest(x, y, level) > nearestDepth)) return 0.0F;
@@ -90,23 +70,16 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
 
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels,
                           std::optional<gpu::uint> lvTraits) {
-  const auto width = static_cast<float>(cover.layout().screenWidth);
-  const auto height = static_cast<float>(cover.layout().screenHeight);
-  gpu::ScreenBox box = given;
-  box.minX = std::clamp(given.minX - guardPixels, 0.0F, width);
-  box.minY = std::clamp(given.minY - guardPixels, 0.0F, height);
-  box.maxX = std::clamp(given.maxX + guardPixels, 0.0F, width);
-  box.maxY = std::clamp(given.maxY + guardPixels, 0.0F, height);
+  const gpu::ScreenBox box = grown(given, cover.layout(), guardPixels);
   const glm::vec4 rect = rectOf(box);
   const TexelRange pixels = touchedPixels(rect, cover.layout().screenWidth, cover.layout().screenHeight);
   const std::uint32_t lom = lomOf(cover.layout(), rect);
   const std::uint32_t lowest = lom > gpu::kMaxDescent ? lom - gpu::kMaxDescent : 0;
   Range range = opacityRange(cover, pixels, lom, box.nearestDepth);
   for (std::uint32_t level = lom; range.lowest < cullThreshold && level > lowest;) {
-    if (!cover.depthAware() && range.highest <= 0.0F) break;
+    if (!cover.depthAware() && range.highest <= 0.0F) break;  // open here, so open below: opacities add up
     range = opacityRange(cover, pixels, --level, box.nearestDepth);
   }
-
   if (range.lowest >= cullThreshold) return {gpu::kVerdictOccluded, 1.0F};
   if (range.highest <= 0.0F && (!cover.depthAware() || !lvTraits)) return {gpu::kVerdictOpen, -1.0F};
   if (!lvTraits) return {gpu::kVerdictPartial, -1.0F};
@@ -117,23 +90,25 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float
 }
 
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
-                  const gpu::Chain& chain, const gpu::ScreenBox& box, gpu::ObjectState& state, gpu::uint& marks) {
-  const bool early = (marks & gpu::kMarkEarly) != 0;
-  const bool hidden = result.verdict == gpu::kVerdictOccluded;
-  const bool counted = (marks & gpu::kMarkCounted) != 0;
-  const gpu::ObjectState last = state;
-  const bool waitsForCount = has(view.traits, gpu::kTraitLvPixels) && !hidden;
-  if (!counted)
-    state.lv = (marks & gpu::kMarkRemembered) != 0 ? smoothLv(last.lv, waitsForCount ? last.lv : result.lv) : result.lv;
-  state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;
-  if (hidden) {
-    marks &= ~gpu::kMarkVisible;
+                  const gpu::Chain& chain, ObjectDecision& object) {
+  const gpu::ObjectState last = object.state;
+  const bool early = (object.marks & gpu::kMarkEarly) != 0;
+  const bool occluded = result.verdict == gpu::kVerdictOccluded;
+  const bool counted = (object.marks & gpu::kMarkCounted) != 0;
+  const bool waitsForCount = has(view.traits, gpu::kTraitLvPixels) && !occluded;
+  if (!counted) {
+    const bool remembered = (object.marks & gpu::kMarkRemembered) != 0;
+    object.state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : result.lv) : result.lv;
+  }
+  object.state.verdict = occluded && early ? gpu::kVerdictStale : result.verdict;
+  if (occluded) {
+    object.marks &= ~gpu::kMarkVisible;
     return;
   }
-  marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
+  object.marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
   if (early || counted || !has(view.traits, gpu::kTraitFollowsLv)) return;
-  chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
-               scene.lods[chain.patchLod].errorObject, box, (marks & gpu::kMarkKnown) != 0, last, state, marks);
+  const bool known = (object.marks & gpu::kMarkKnown) != 0;
+  chooseDetail(view, detailInput(scene, chain, object.box, known, last), object.state, object.marks);
 }
 
 }  // namespace jalousie::visibility

@@ -1,4 +1,4 @@
-// A slot holds the counters, then the draw counts of both lists.
+// Ring of statistics: a slot holds the counters, then the draw counts of both lists.
 #include "visibility/statistics_pass.h"
 
 #include <algorithm>
@@ -31,23 +31,23 @@ StatisticsPass::~StatisticsPass() {
   glUnmapNamedBuffer(mapped_.id());
 }
 
-void StatisticsPass::endFrame(const SceneBindings& scene, const VisibilityPass& visibility, const gpu::CullView& view,
+void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                               const DrawList* early, const DrawList& late) {
   ++frame_;
   const std::size_t index = frame_ % slots_.size();
   Slot& slot = slots_[index];
   if (slot.fence != nullptr && !collect(slot, index, 0)) return;
-  if (visibility.objectCount() > 0) {
+  if (view.objectCount > 0) {
     counters_.clear();
     countProgram_.use();
-    visibility.view().bindUniform(gpu::kBindingCullView);
+    decided.view->bindUniform(gpu::kBindingCullView);
     counters_.bindStorage(gpu::kBindingCounters);
     scene.objects->bindStorage(gpu::kBindingObjects);
     scene.chains->bindStorage(gpu::kBindingChains);
     scene.lods->bindStorage(gpu::kBindingLods);
-    visibility.states().bindStorage(gpu::kBindingStates);
-    visibility.marks().bindStorage(gpu::kBindingMarks);
-    glDispatchCompute((visibility.objectCount() + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+    decided.states->bindStorage(gpu::kBindingStates);
+    decided.marks->bindStorage(gpu::kBindingMarks);
+    glDispatchCompute((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   }
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);

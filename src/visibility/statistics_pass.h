@@ -1,4 +1,5 @@
-// Figures of past frames without waiting: copied into mapped memory and picked up when the GPU is done with them.
+// Statistics of past frames without waiting: the GPU copies them into mapped memory, the CPU reads them once a fence
+// has been signalled.
 #pragma once
 
 #include <array>
@@ -12,7 +13,7 @@
 
 namespace jalousie::visibility {
 
-/// What one frame left behind.
+/// Statistics of one frame.
 struct FrameRecord {
   std::uint64_t frame = 0;  ///< counted from 1
   gpu::CullView view{};
@@ -21,8 +22,8 @@ struct FrameRecord {
   std::array<gpu::uint, gpu::kDrawCounts> late{};   ///< and of the second
 };
 
-/// Three slots: a frame's figures arrive at the latest two frames later on a GPU that keeps up. A frame whose slot is
-/// still in flight goes uncounted instead of waiting. CPU twin of the counting: countStates.
+/// Has three slots: the statistics of a frame arrive at most two frames later unless the GPU is further behind. A frame
+/// whose slot is still in flight is not counted. CPU twin of the counting: countStates.
 class StatisticsPass {
  public:
   StatisticsPass();
@@ -30,12 +31,13 @@ class StatisticsPass {
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;
 
-  /// Counts the frame and copies the figures. @param early, late  the frame's lists; early may be unused (null)
-  void endFrame(const SceneBindings& scene, const VisibilityPass& visibility, const gpu::CullView& view,
+  /// Counts the frame and copies the result. @param view  of the frame   @param early, late  its lists; early may be
+  /// null
+  void endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                 const DrawList* early, const DrawList& late);
-  /// The newest figures that have arrived; none before the first have. Never waits.
+  /// The newest statistics that have arrived; empty until the first do. Never waits.
   const std::optional<FrameRecord>& latest();
-  /// Waits for the last frame's figures.
+  /// Waits for the statistics of the last frame.
   const std::optional<FrameRecord>& finish();
 
  private:

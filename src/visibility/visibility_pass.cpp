@@ -1,4 +1,4 @@
-// Dispatches of the deciding kernels.
+// Dispatches the kernels that decide per object.
 #include "visibility/visibility_pass.h"
 
 #include "core/check.h"
@@ -15,12 +15,6 @@ gl::Buffer makeCosines() {
   return gl::Buffer::fromArray(std::span<const float>(table), "cosines");
 }
 
-gl::Buffer makeStorage(std::size_t bytes, const char* name) {
-  gl::Buffer buffer(bytes, GL_DYNAMIC_STORAGE_BIT, name);
-  buffer.clear();
-  return buffer;
-}
-
 gl::Texture makeImportance(const ImportanceMask& mask) {
   gl::Texture texture(GL_TEXTURE_2D, GL_R8, {mask.levelWidth(0), mask.levelHeight(0), 1, mask.levels()}, "importance");
   for (std::uint32_t level = 0; level < mask.levels(); ++level)
@@ -31,19 +25,15 @@ gl::Texture makeImportance(const ImportanceMask& mask) {
 
 }  // namespace
 
-VisibilityPass::VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance)
-    : objectCount_(objectCount),
+VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* importance)
+    : objects_(objects),
       classifyProgram_(programSource(ProgramId::kClassify)),
       analyseMapProgram_(programSource(ProgramId::kAnalyseMap)),
       analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth)),
       analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth)),
       countPixelsProgram_(programSource(ProgramId::kCountPixels)),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
-      cosines_(makeCosines()),
-      states_(makeStorage(sizeof(gpu::ObjectState) * objectCount, "object states")),
-      boxes_(makeStorage(sizeof(gpu::ScreenBox) * objectCount, "screen boxes")),
-      marks_(makeStorage(sizeof(gpu::uint) * objectCount, "object marks")),
-      pixelCounts_(makeStorage(sizeof(gpu::uint) * objectCount, "pixels per object")) {
+      cosines_(makeCosines()) {
   if (importance == nullptr) return;
   importance_ = makeImportance(*importance);
   importanceWidth_ = importance->width();
@@ -51,18 +41,18 @@ VisibilityPass::VisibilityPass(std::uint32_t objectCount, const ImportanceMask* 
 }
 
 void VisibilityPass::setView(gpu::CullView view) {
-  JAL_CHECK(view.objectCount == objectCount_);
+  JAL_CHECK(view.objectCount == objects_.objectCount);
   view.importanceLevels = importance_ ? importance_->size().levels : 0;
   view.importanceWidth = importanceWidth_;
   view.importanceHeight = importanceHeight_;
-  view.countsValid = countsValid_ ? 1 : 0;
-  countsValid_ = false;
+  view.countsValid = objects_.countsValid ? 1 : 0;
+  objects_.countsValid = false;
   view_.writeValue(view);
 }
 
 void VisibilityPass::classify(const SceneBindings& scene) {
   if (importance_) importance_->bind(gpu::kUnitImportance);
-  pixelCounts_.bindStorage(gpu::kBindingPixelCounts);
+  objects_.pixelCounts.bindStorage(gpu::kBindingPixelCounts);
   dispatch(classifyProgram_, scene);
 }
 
@@ -70,9 +60,9 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const
   const bool usesMap = has(traits, gpu::kTraitUsesMap);
   const bool usesDepth = has(traits, gpu::kTraitUsesDepth);
   JAL_CHECK((traits & (gpu::kTraitUsesMap | gpu::kTraitUsesDepth)) != 0U);
-  if (usesMap) cover.map->texture().bind(gpu::kUnitOcclusionMap);
+  if (usesMap) cover.map->bind(gpu::kUnitOcclusionMap);
   if (usesDepth) {
-    cover.pyramid->texture().bind(gpu::kUnitDepthPyramid);
+    cover.pyramid->bind(gpu::kUnitDepthPyramid);
     cover.depth->bind(gpu::kUnitDepth);
   }
   cosines_.bindStorage(gpu::kBindingCosines);
@@ -80,13 +70,13 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const
 }
 
 void VisibilityPass::countPixels(const gl::Texture& items) {
-  countsValid_ = true;
-  if (objectCount_ == 0) return;
-  pixelCounts_.clear();
+  objects_.countsValid = true;
+  if (objects_.objectCount == 0) return;
+  objects_.pixelCounts.clear();
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   countPixelsProgram_.use();
   items.bindImage(gpu::kImageSource, 0, GL_READ_ONLY);
-  pixelCounts_.bindStorage(gpu::kBindingPixelCounts);
+  objects_.pixelCounts.bindStorage(gpu::kBindingPixelCounts);
   const auto groups = [](std::uint32_t pixels, int side) {
     const std::uint32_t step = static_cast<std::uint32_t>(side) * gpu::kTexelGroupSide;
     return (pixels + step - 1) / step;
@@ -97,17 +87,17 @@ void VisibilityPass::countPixels(const gl::Texture& items) {
 }
 
 void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& scene) const {
-  if (objectCount_ == 0) return;
+  if (objects_.objectCount == 0) return;
   program.use();
   view_.bindUniform(gpu::kBindingCullView);
   scene.transforms->bindStorage(gpu::kBindingTransforms);
   scene.objects->bindStorage(gpu::kBindingObjects);
   scene.chains->bindStorage(gpu::kBindingChains);
   scene.lods->bindStorage(gpu::kBindingLods);
-  states_.bindStorage(gpu::kBindingStates);
-  boxes_.bindStorage(gpu::kBindingBoxes);
-  marks_.bindStorage(gpu::kBindingMarks);
-  glDispatchCompute((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+  objects_.states.bindStorage(gpu::kBindingStates);
+  objects_.boxes.bindStorage(gpu::kBindingBoxes);
+  objects_.marks.bindStorage(gpu::kBindingMarks);
+  glDispatchCompute((objects_.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
