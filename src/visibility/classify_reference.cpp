@@ -23,12 +23,12 @@ glm::vec3 transformPoint(const gpu::Transform& t, const glm::vec3& p) {
 }
 
 /// Largest error of a clip-space component of any point of the box.
-glm::vec4 clipRounding(const gpu::Transform& t, const Aabb& box, const glm::mat4& clipFromWorld) {
+glm::vec4 clipRounding(const gpu::Transform& t, const Aabb& box, const glm::mat4& clipFromWorld, float rounding) {
   const glm::vec4 reach(glm::max(glm::abs(box.min), glm::abs(box.max)), 1.0F);
   const glm::vec3 world(glm::dot(glm::abs(t.worldFromObject0), reach), glm::dot(glm::abs(t.worldFromObject1), reach),
                         glm::dot(glm::abs(t.worldFromObject2), reach));
-  return gpu::kRounding * (glm::abs(clipFromWorld[0]) * world.x + glm::abs(clipFromWorld[1]) * world.y +
-                           glm::abs(clipFromWorld[2]) * world.z + glm::abs(clipFromWorld[3]));
+  return rounding * (glm::abs(clipFromWorld[0]) * world.x + glm::abs(clipFromWorld[1]) * world.y +
+                     glm::abs(clipFromWorld[2]) * world.z + glm::abs(clipFromWorld[3]));
 }
 
 unsigned planesBeyond(const glm::vec4& clip, const glm::vec3& margin) {
@@ -112,14 +112,14 @@ Aabb boundsOf(const gpu::Chain& chain) {
 }  // namespace
 
 BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObject, const glm::mat4& clipFromWorld,
-                        const glm::vec2& viewport) {
+                        const glm::vec2& viewport, float rounding) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   BoxOnScreen result;
   result.centerWorld = transformPoint(transform, 0.5F * (boundsObject.min + boundsObject.max));
   glm::vec2 lowest(kInfinity);
   glm::vec2 highest(-kInfinity);
   unsigned beyondAll = 63;
-  const glm::vec4 error = clipRounding(transform, boundsObject, clipFromWorld);
+  const glm::vec4 error = clipRounding(transform, boundsObject, clipFromWorld, rounding);
   const glm::vec3 margin = glm::vec3(error) + error.w;
   for (unsigned corner = 0; corner < 8; ++corner) {
     const glm::vec3 world = transformPoint(transform, boxCorner(boundsObject, corner));

@@ -5,6 +5,7 @@
 
 #include "core/aabb.h"
 #include "shared/frame_structs.h"
+#include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "visibility/importance_mask.h"
 #include "visibility/object_decision.h"
@@ -29,8 +30,9 @@ struct BoxOnScreen {
 /// @param boundsObject   box in the object's frame
 /// @param clipFromWorld  reversed depth: inside is |x|, |y| <= w, 0 <= z <= w
 /// @param viewport       width and height in pixels
+/// @param rounding       share of the magnitudes by which a clip-space component may be off; the kernel's is kRounding
 BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObject, const glm::mat4& clipFromWorld,
-                        const glm::vec2& viewport);
+                        const glm::vec2& viewport, float rounding = gpu::kRounding);
 
 /// Distance from a point to the closest point of a box, world units; 0 inside.
 float distanceToBox(const glm::vec3& point, const Aabb& box);

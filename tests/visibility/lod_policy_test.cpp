@@ -114,11 +114,11 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   box.tau = 1.0F;
   gpu::uint marks = 0;
   gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
-  chooseDetail(view, levels, 1.0F, box, true, {}, open, marks);
+  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, open, marks);
   EXPECT_EQ(open.lod, 1U);
   EXPECT_EQ(open.tessellation, 10U);
   gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
-  chooseDetail(view, levels, 1.0F, box, true, {}, hidden, marks);
+  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, hidden, marks);
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
   EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
@@ -152,7 +152,7 @@ struct CalmObject {
     box.tau = tau;
     marks = gpu::kMarkKnown | gpu::kMarkRemembered | (marks & gpu::kMarkFadeMask);
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, state.lv};
-    chooseDetail(view, levels, 40.0F, box, seen, state, next, marks);
+    chooseDetail(view, {levels, 40.0F, box.pixelsPerUnit, box.tau, seen, state}, next, marks);
     state = next;
   }
   bool switched() const { return (marks & gpu::kMarkSwitched) != 0; }
@@ -232,7 +232,8 @@ TEST(Calm, AFadeEndsWithTheCalmFrames) {
     object.view.traits = traitsOf(rule.id);
     gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
-    chooseDetail(object.view, object.levels, 40.0F, object.box, true, object.state, next, marks);
+    chooseDetail(object.view, {object.levels, 40.0F, object.box.pixelsPerUnit, object.box.tau, true, object.state},
+                 next, marks);
     EXPECT_EQ(fadeFrames(marks), 0U) << rule.name;
   }
 }

@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "policy/lod_rule.h"
+#include "scene/scene_data.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -183,24 +184,23 @@ TEST(Overlap, MarksRememberWhatWasSeen) {
   scene.lods.resize(5);
   gpu::Chain chain{};
   chain.lodCount = 5;
-  const gpu::ScreenBox box = boxOf({0, 0, 9, 9});
+  ObjectDecision object{{gpu::kVerdictPending, 0, 20, -1.0F}, boxOf({0, 0, 9, 9}), 0};
   const OverlapResult hidden{gpu::kVerdictOccluded, 1.0F};
   const OverlapResult partial{gpu::kVerdictPartial, 0.9F};
-  gpu::ObjectState state{gpu::kVerdictPending, 0, 20, -1.0F};
-  gpu::uint marks = gpu::kMarkEarly | gpu::kMarkVisible;
-  applyOverlap(hidden, scene, view, chain, box, state, marks);
-  EXPECT_EQ(state.verdict, gpu::kVerdictStale);
-  EXPECT_EQ(marks, gpu::kMarkEarly) << "drawn now, not early in the next frame";
-  state.verdict = gpu::kVerdictPending;
-  marks = 0;
-  applyOverlap(partial, scene, view, chain, box, state, marks);
-  EXPECT_EQ(marks, gpu::kMarkLate | gpu::kMarkVisible);
-  EXPECT_GT(state.lod, 0U) << "what is drawn late follows this frame's LV";
-  marks = gpu::kMarkEarly | gpu::kMarkVisible;
-  state = {gpu::kVerdictPending, 0, 20, -1.0F};
-  applyOverlap(partial, scene, view, chain, box, state, marks);
-  EXPECT_EQ(state.lod, 0U) << "already drawn: the new LV counts from the next frame on";
-  EXPECT_FLOAT_EQ(state.lv, 0.9F);
+  object.marks = gpu::kMarkEarly | gpu::kMarkVisible;
+  applyOverlap(hidden, scene, view, chain, object);
+  EXPECT_EQ(object.state.verdict, gpu::kVerdictStale);
+  EXPECT_EQ(object.marks, gpu::kMarkEarly) << "drawn now, not early in the next frame";
+  object.state.verdict = gpu::kVerdictPending;
+  object.marks = 0;
+  applyOverlap(partial, scene, view, chain, object);
+  EXPECT_EQ(object.marks, gpu::kMarkLate | gpu::kMarkVisible);
+  EXPECT_GT(object.state.lod, 0U) << "what is drawn late follows this frame's LV";
+  object.marks = gpu::kMarkEarly | gpu::kMarkVisible;
+  object.state = {gpu::kVerdictPending, 0, 20, -1.0F};
+  applyOverlap(partial, scene, view, chain, object);
+  EXPECT_EQ(object.state.lod, 0U) << "already drawn: the new LV counts from the next frame on";
+  EXPECT_FLOAT_EQ(object.state.lv, 0.9F);
 }
 
 }  // namespace

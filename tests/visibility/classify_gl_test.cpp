@@ -1,0 +1,307 @@
+// classify.comp against its CPU twin, on random and adversarial input with history.
+//
+// Kernel and twin evaluate the same formulas in 32-bit floats, but a GPU may fuse a product with a sum, and divide with
+// an error of 2.5 ulp. Two evaluations of one clip-space component then differ by at most kRounding times the sum of
+// the magnitudes that go into it: each is a sum of four products of sums of four products, at most 8 roundings of 2^-24
+// of that sum, so 2^-21, for each of the two. All that follows a component, the guard included, is monotone in this
+// bound: the kernel's rectangle contains the twin's without any guard and lies within the twin's with twice the guard.
+// What the kernel may write is therefore what the twin finds between these two (Bracket), and nothing else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "core/random.h"
+#include "policy/traits.h"
+#include "render/scene_buffers.h"
+#include "shared/limits.h"
+#include "support/gl_test.h"
+#include "support/scenes.h"
+#include "visibility/classify_reference.h"
+#include "visibility/kernel_input.h"
+#include "visibility/lod_policy.h"
+#include "visibility/visibility_pass.h"
+
+namespace jalousie::visibility {
+namespace {
+
+using scene::SceneData;
+
+/// A few roundings of the arithmetic behind clip space: at most 8 of 2^-24 each.
+constexpr float kFewUlps = 1.0F / 2097152.0F;  // 2^-21
+
+/// The twin's box without a guard, with the kernel's and with twice that.
+struct Bracket {
+  Bracket(const SceneData& scene, std::size_t object, const gpu::CullView& view) {
+    const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
+    const Aabb bounds{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)};
+    const glm::vec2 viewport(view.viewportWidth, view.viewportHeight);
+    for (std::size_t i = 0; i < 3; ++i)
+      boxes[i] = boxOnScreen(scene.transforms[object], bounds, view.clipFromWorld, viewport,
+                             static_cast<float>(i) * gpu::kRounding);
+    const glm::vec4 reach(glm::max(glm::abs(bounds.min), glm::abs(bounds.max)), 1.0F);
+    const gpu::Transform& t = scene.transforms[object];
+    const glm::vec3 world(glm::dot(glm::abs(t.worldFromObject0), reach), glm::dot(glm::abs(t.worldFromObject1), reach),
+                          glm::dot(glm::abs(t.worldFromObject2), reach));
+    worldError = kFewUlps * (glm::length(world) + glm::length(glm::vec3(view.cameraWorld)));
+  }
+
+  /// Area of a bracketing rectangle, pixels.
+  float area(std::size_t i) const { return (boxes[i].rect.z - boxes[i].rect.x) * (boxes[i].rect.w - boxes[i].rect.y); }
+
+  BoxOnScreen boxes[3];
+  float worldError = 0.0F;  ///< of a distance between points of the box and the camera, world units
+};
+
+/// Every verdict that the kernel may give: those of the bracketing boxes, with thresholds that the rounding of the
+/// quantity compared with them may shift. Where no quantity lies that close to its threshold, this is one verdict.
+std::set<gpu::uint> plausibleVerdicts(const Bracket& bracket, const gpu::CullView& view,
+                                      const ImportanceMask* importance) {
+  std::set<gpu::uint> verdicts;
+  for (const BoxOnScreen& box : bracket.boxes) {
+    const bool hasRect = !box.outside && !box.crossesNear;
+    const float weight = hasRect && importance != nullptr
+                             ? importance->largestIn(box.rect, view.viewportWidth, view.viewportHeight)
+                             : 1.0F;
+    for (const float sign : {-1.0F, 0.0F, 1.0F}) {
+      for (const float distanceSign : {-1.0F, 0.0F, 1.0F}) {
+        gpu::CullView changed = view;
+        changed.minPixels *= 1.0F + sign * kFewUlps;
+        changed.occluderDistance += distanceSign * bracket.worldError;
+        verdicts.insert(classify(box, changed, weight));
+      }
+    }
+  }
+  return verdicts;
+}
+
+/// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the difference of a distance and a radius.
+float scaleError(const Bracket& bracket, const gpu::CullView& view) {
+  const BoxOnScreen& box = bracket.boxes[1];
+  const float distance = glm::distance(glm::vec3(view.cameraWorld), box.centerWorld);
+  const float denominator = std::max(distance - box.radiusWorld, view.cameraWorld.w);
+  return kFewUlps + 2.0F * bracket.worldError / denominator;
+}
+
+void expectPlausibleBox(const gpu::ScreenBox& actual, const gpu::ScreenBox& expected, const Bracket& bracket,
+                        const gpu::CullView& view) {
+  const glm::vec4& inner = bracket.boxes[0].rect;
+  const glm::vec4& outer = bracket.boxes[2].rect;
+  const float x = kFewUlps * static_cast<float>(view.viewportWidth);
+  const float y = kFewUlps * static_cast<float>(view.viewportHeight);
+  EXPECT_TRUE(actual.minX >= outer.x - x && actual.minX <= inner.x + x) << actual.minX << " for " << expected.minX;
+  EXPECT_TRUE(actual.minY >= outer.y - y && actual.minY <= inner.y + y) << actual.minY << " for " << expected.minY;
+  EXPECT_TRUE(actual.maxX <= outer.z + x && actual.maxX >= inner.z - x) << actual.maxX << " for " << expected.maxX;
+  EXPECT_TRUE(actual.maxY <= outer.w + y && actual.maxY >= inner.w - y) << actual.maxY << " for " << expected.maxY;
+  EXPECT_GE(actual.nearestDepth, bracket.boxes[0].nearestDepth * (1.0F - kFewUlps));
+  EXPECT_LE(actual.nearestDepth, bracket.boxes[2].nearestDepth * (1.0F + kFewUlps));
+  EXPECT_NEAR(actual.pixelsPerUnit, expected.pixelsPerUnit, scaleError(bracket, view) * expected.pixelsPerUnit);
+  EXPECT_NEAR(actual.tau, expected.tau, kFewUlps * expected.tau);
+}
+
+/// Random history: what was visible and drawn in the last frame, calm or not, counted or not, in a cross-fade or not.
+std::vector<LastFrame> randomHistory(const SceneData& scene, const gpu::CullView& view) {
+  std::vector<LastFrame> last(scene.objects.size());
+  Random random(31);
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
+    last[i].state = {gpu::kVerdictPartial, random.below(chain.lodCount), 1 + random.below(view.maxTessellation),
+                     random.uniform(-1.5F, 1.0F)};
+    constexpr gpu::uint kHistories[] = {0, gpu::kMarkTested, gpu::kMarkTested | gpu::kMarkVisible, gpu::kMarkVisible};
+    last[i].marks = kHistories[random.below(4)];
+    if (random.below(2) == 0) last[i].marks |= random.below(2) == 0 ? gpu::kMarkEarly : gpu::kMarkLate;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkCounted;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkCalm;
+    if (random.below(2) == 0) last[i].marks |= gpu::kMarkMeasured;
+    const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kDefaultFadeFrames + 1) : 0;
+    const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
+    if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
+    last[i].pixels = random.below(3) == 0 ? 0 : random.below(1U << random.below(16));
+  }
+  return last;
+}
+
+/// What the kernel wrote, in the order of the objects.
+std::vector<ObjectDecision> runKernel(const SceneData& scene, const gpu::CullView& view,
+                                      const std::vector<LastFrame>& last, const ImportanceMask* importance) {
+  const render::SceneBuffers buffers(scene);
+  ObjectStore objects(buffers.objectCount());
+  VisibilityPass pass(objects, importance);
+  std::vector<gpu::ObjectState> lastStates;
+  std::vector<gpu::uint> lastMarks;
+  std::vector<gpu::uint> lastPixels;
+  for (const LastFrame& frame : last) {
+    lastStates.push_back(frame.state);
+    lastMarks.push_back(frame.marks);
+    lastPixels.push_back(frame.pixels);
+  }
+  objects.states.write(0, std::as_bytes(std::span(lastStates)));
+  objects.marks.write(0, std::as_bytes(std::span(lastMarks)));
+  objects.pixelCounts.write(0, std::as_bytes(std::span(lastPixels)));
+  objects.countsValid = view.countsValid != 0;
+  pass.setView(view);
+  pass.classify(buffers.bindings());
+  const auto states = objects.states.read<gpu::ObjectState>(scene.objects.size());
+  const auto boxes = objects.boxes.read<gpu::ScreenBox>(scene.objects.size());
+  const auto marks = objects.marks.read<gpu::uint>(scene.objects.size());
+  std::vector<ObjectDecision> decisions;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    decisions.push_back({states[i], boxes[i], marks[i]});
+  return decisions;
+}
+
+/// One object, its history and the view.
+struct Case {
+  const SceneData& scene;
+  const gpu::CullView& view;
+  gpu::uint object;
+  const LastFrame& last;
+  const ImportanceMask* importance;
+};
+
+/// Whether the kernel's level is one that the twin chooses for a budget within its error. Levels follow from
+/// tau / pixelsPerUnit and from the visible share, in which the rectangle's area counts once.
+bool hasPlausibleLevel(const Case& c, const ObjectDecision& actual, float error) {
+  for (const float sign : {-1.0F, 0.0F, 1.0F}) {
+    gpu::CullView changed = c.view;
+    changed.tau *= 1.0F + sign * error;
+    const ObjectDecision expected = classifyObject(c.scene, changed, c.object, c.last, c.importance);
+    if (actual.state.lod == expected.state.lod && actual.state.tessellation == expected.state.tessellation)
+      return actual.marks == expected.marks;
+  }
+  return false;
+}
+
+void compareObject(const Case& c, const ObjectDecision& actual) {
+  const Bracket bracket(c.scene, c.object, c.view);
+  const std::set<gpu::uint> plausible = plausibleVerdicts(bracket, c.view, c.importance);
+  const ObjectDecision expected = classifyObject(c.scene, c.view, c.object, c.last, c.importance);
+  EXPECT_TRUE(plausible.contains(actual.state.verdict))
+      << "verdict " << actual.state.verdict << " expected " << expected.state.verdict;
+  if (actual.state.verdict != expected.state.verdict) return;  // as far off as rounding allows
+  // LV of counted pixels changes at most by twice the relative change of the area; all other LV are copied or smoothed.
+  const bool hasRect = !bracket.boxes[1].outside && !bracket.boxes[1].crossesNear;
+  const float areaError = hasRect && has(c.view.traits, gpu::kTraitLvPixels)
+                              ? (bracket.area(2) - bracket.area(0)) / std::max(bracket.area(0), 1.0F)
+                              : 0.0F;
+  EXPECT_NEAR(actual.state.lv, expected.state.lv, 2.0F * areaError + kFewUlps);
+  EXPECT_TRUE(hasPlausibleLevel(c, actual, areaError + scaleError(bracket, c.view)))
+      << "lod " << actual.state.lod << " for " << expected.state.lod << ", tessellation " << actual.state.tessellation
+      << " for " << expected.state.tessellation << ", marks " << actual.marks << " for " << expected.marks;
+  if (hasRect) expectPlausibleBox(actual.box, expected.box, bracket, c.view);
+}
+
+/// Runs the kernel on a random history and compares everything it writes with the twin.
+void compareClassification(const SceneData& scene, gpu::CullView view, const ImportanceMask* importance = nullptr,
+                           bool countsValid = true) {
+  view.countsValid = countsValid ? 1 : 0;
+  const std::vector<LastFrame> last = randomHistory(scene, view);
+  const std::vector<ObjectDecision> actual = runKernel(scene, view, last, importance);
+  for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "object " << i);
+    compareObject({scene, view, i, last[i], importance}, actual[i]);
+  }
+}
+
+class ClassifyGl : public test::GlTest {};
+
+TEST_F(ClassifyGl, RandomScenesFromOutsideAndInside) {
+  const SceneData scene = scene::buildScene(test::randomSpheres(500, 10.0F, 1));
+  for (const glm::vec3 eye : {glm::vec3(0, 0, 40), glm::vec3(3, 2, 1), glm::vec3(-12, 9, 0)})
+    for (const ScreenSize size : kSizes)
+      compareClassification(scene, makeView(scene, scene::lookAt(eye, {0, 0.5F, 0}, scene.boundsWorld), size, 15.0F));
+}
+
+TEST_F(ClassifyGl, AdversarialBoxes) {
+  asset::SceneFile file = test::sphereChain(2);
+  const glm::vec3 eye(0, 0, 5);
+  test::addInstance(file, 0, {0, 0, 5}, glm::vec3(1));          // the eye is inside
+  test::addInstance(file, 0, {0, 0, 4.9F}, glm::vec3(0.2F));    // across the near plane
+  test::addInstance(file, 0, {0, 0, 6}, glm::vec3(0.5F));       // behind
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1e-6F));      // smaller than a pixel
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(0.0F));       // a point
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1e6F));       // larger than the screen
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1, 0, 1));    // flat
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(-2, 1, -1));  // mirrored twice
+  test::addInstance(file, 0, {1e5F, 0, -1e5F}, glm::vec3(1));   // far away
+  const SceneData scene = scene::buildScene(file);
+  for (const ScreenSize size : kSizes)
+    compareClassification(scene,
+                          makeView(scene, scene::lookAt(eye, {0, 0, 0}, {glm::vec3(-1), glm::vec3(1)}), size, 3.0F));
+}
+
+TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
+  ImageRgba8 image{37, 21, std::vector<std::uint8_t>(37 * 21 * 4)};
+  Random random(77);
+  for (std::uint8_t& byte : image.pixels)
+    byte = static_cast<std::uint8_t>(random.below(6) == 0 ? 255 : random.below(60));
+  const ImportanceMask mask(image);
+  const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 4), {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  for (const CullModeRow& mode : cullModeTable()) {
+    for (const LodRuleRow& rule : lodRuleTable()) {
+      gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F,
+                                    {.cullMode = mode.id, .lodRule = rule.id, .lvMeasure = LvMeasure::kNone});
+      view.relax = 8.0F;
+      compareClassification(scene, view);
+      view.minPixels = 60.0F;
+      view.tau = 3.0F;
+      compareClassification(scene, view, &mask);
+    }
+  }
+}
+
+TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
+  const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 9), {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHom, CullMode::kHiz}) {
+    for (const LvMeasure measure : {LvMeasure::kChord, LvMeasure::kPixels}) {
+      for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+        for (const gpu::uint calm : {0U, 1U}) {
+          gpu::CullView view =
+              makeView(scene, camera, {640, 360}, 20.0F,
+                       {.cullMode = mode, .lodRule = LodRule::kLvError, .lvMeasure = measure, .detail = detail});
+          view.relax = 64.0F;
+          view.tau = 0.3F;
+          view.calm = calm;
+          compareClassification(scene, view);
+          compareClassification(scene, view, nullptr, false);
+          view.hysteresis = 1.3F;
+          for (const gpu::uint frames : {0U, 3U, gpu::kMaxFadeFrames}) {
+            view.fadeFrames = frames;
+            compareClassification(scene, view);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_F(ClassifyGl, RealScenes) {
+  const char* folder = std::getenv("JALOUSIE_SCENES");
+  if (folder == nullptr) GTEST_SKIP() << "JALOUSIE_SCENES names no folder with the two game scenes";
+  for (const char* name : {"candela_city", "cornfield_crossing"}) {
+    const SceneData scene =
+        scene::buildScene(asset::readSceneFile(std::filesystem::path(folder) / name / "scene.gltf"));
+    for (const glm::vec3 eye : {glm::vec3(0, 8, 0), glm::vec3(0, 40, 60), glm::vec3(300, 200, 300)}) {
+      compareClassification(scene, makeView(scene, scene::lookAt(eye, {-40, 4, -20}, scene.boundsWorld), {1366, 768},
+                                            40.0F, {.lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone}));
+    }
+  }
+}
+
+TEST_F(ClassifyGl, EmptySceneAndSingleObject) {
+  asset::SceneFile file = test::sphereChain(1);
+  const SceneData empty = scene::buildScene(file);
+  compareClassification(empty, makeView(empty, scene::lookAt({0, 0, 5}, {0, 0, 0}, {}), {64, 64}, 1.0F));
+  test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
+  const SceneData one = scene::buildScene(file);
+  compareClassification(one, makeView(one, scene::lookAt({0, 0, 5}, {0, 0, 0}, one.boundsWorld), {64, 64}, 1.0F));
+}
+
+}  // namespace
+}  // namespace jalousie::visibility
