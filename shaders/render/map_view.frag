@@ -1,5 +1,5 @@
-// Shows one level of what hides. Default: the occlusion map, white = covered by occluders, black = open.
-// JAL_DEPTH: the farthest-depth pyramid, the lighter the nearer, black = nothing.
+// Shows one level of a pyramid. Default: the occlusion map; white: covered by occluders, black: open.
+// JAL_DEPTH: the farthest-depth pyramid; lighter: nearer, black: nothing drawn.
 #version 450 core
 #include "shared/limits.h"
 #include "shared/scene_structs.h"

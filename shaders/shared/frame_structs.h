@@ -18,7 +18,7 @@ struct CullView {
   uint analyse;            // 1: LV is wanted even where the LOD rule does not need it
   uint mapLevels;          // levels of the occlusion map and, counted from the screen, of the depth pyramid
   float occluderDistance;  // world units; nearer objects are occluders (thesis 3.2)
-  float cullThreshold;     // opacity from which a texel hides, (0, 1]; 1 is conservative
+  float cullThreshold;     // opacity from which a texel occludes, (0, 1]; 1 is conservative
   uint maxTessellation;    // finest level of the patch path, 1..kMaxTessellationLevel
   float focalPixels;       // viewportHeight / (2 tan(fovY / 2))
   float tau;               // screen-space error that kTraitFollowsError allows, pixels
@@ -69,7 +69,7 @@ const uint kViewCoverage = 5u;   // covered share of the block in front of it
 const uint kViewHoles = 6u;      // mean open chord of that block
 const uint kViewWireframe = 7u;  // colours of kViewLod under lines
 const uint kViewOverdraw = 8u;
-const uint kViewGhosts = 9u;     // shaded, and what was culled over it
+const uint kViewGhosts = 9u;     // shaded, with the culled objects over it
 const uint kViewCount = 10u;
 // Parts of a view, never asked for by themselves.
 const uint kViewLines = 100u;
@@ -97,33 +97,33 @@ JAL_ASSERT_SIZE(DrawView, 144)
 
 // Verdicts. kVerdictOutside, kVerdictOccluded and kVerdictSmall are not drawn, all others are.
 const uint kVerdictOutside = 0u;    // outside the frustum
-const uint kVerdictOccluded = 1u;   // hidden by the occlusion map
-const uint kVerdictOccluder = 2u;   // near enough to be drawn into the map
+const uint kVerdictOccluded = 1u;   // occluded: not drawn
+const uint kVerdictOccluder = 2u;   // drawn into the occlusion map
 const uint kVerdictNear = 3u;       // crosses the near plane: no finite AABR, visible
 const uint kVerdictOpen = 4u;       // an occludee with nothing in front of it
 const uint kVerdictPartial = 5u;    // partly covered: LV was computed
 const uint kVerdictPending = 6u;    // an occludee before the overlap test; also the final state without a map
 const uint kVerdictSmall = 7u;      // covers fewer pixels than the contribution threshold
-const uint kVerdictStale = 8u;      // drawn because it was visible last frame; hidden now
+const uint kVerdictStale = 8u;      // drawn in phase 1 because it was visible in the last frame, but occluded
 const uint kVerdictCount = 9u;
 
-// Marks: what is kept of an object from frame to frame, and in which phase it is drawn.
+// Flags of an object: its history, and the phases in which it is drawn.
 const uint kMarkVisible = 1u;   // passed the last visibility test
 const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into the frame before the test
 const uint kMarkLate = 4u;      // into the frame after the test
 const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
-const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible says something about it
+const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible is valid
 const uint kMarkKnown = 32u;    // was drawn in the last frame too
 const uint kMarkSwitched = 64u; // drawn at another level than in the last frame
 const uint kMarkFromCoarser = 128u;  // the level that fades out is the next coarser one, else the next finer
-const uint kMarkCounted = 256u;      // was drawn in the last frame whose pixels were counted, and ever since
-const uint kMarkCalm = 512u;         // went through a calm frame, drawn or not
-const uint kMarkRemembered = 1024u;  // the frame before was calm: its level and LV are there to go on from
-const uint kMarkMeasured = 2048u;    // the remembered LV comes from a count: from there on it is smoothed
-const uint kMarkFadeShift = 12u;     // above it, frames that the cross-fade still takes, this one included; 0: none
+const uint kMarkCounted = 256u;      // has been drawn since the last frame whose pixels were counted
+const uint kMarkCalm = 512u;         // the frame was calm, whether it drew the object or not
+const uint kMarkRemembered = 1024u;  // the frame before was calm: its level and LV are valid
+const uint kMarkMeasured = 2048u;    // the remembered LV comes from a count: the next ones are smoothed
+const uint kMarkFadeShift = 12u;     // first bit of the frames that the cross-fade still takes, this one included; 0: none
 const uint kMarkFadeMask = 0xf080u;  // kMarkFromCoarser and the frames
 
-// An entry of an instance list: an object, and whether it is the level that comes or the one that goes.
+// An entry of an instance list: an object, and whether its level fades in or out.
 const uint kInstanceFadingIn = 0x40000000u;
 const uint kInstanceFadingOut = 0x80000000u;
 const uint kInstanceObject = 0x3fffffffu;
@@ -133,11 +133,11 @@ struct ObjectState {
   uint verdict;            // kVerdict...
   uint lod;                // level of the discrete chain, 0 finest
   uint tessellation;       // level of the patch path, 1..kMaxTessellationLevel
-  float lv;                // normalised level of visibility, about [-1.83, 1]; -1 for what is open
+  float lv;                // normalised level of visibility, about [-1.83, 1]; -1: fully visible
 };
 JAL_ASSERT_SIZE(ObjectState, 16)
 
-/// ScreenBox.cover of what nothing was found in front of: no share, an endless chord.
+/// ScreenBox.cover of an object with nothing in front of it: covered share 0, chord 32768.
 const uint kCoverOpen = 0x78000000u;
 
 /// Where an object is on the screen and how large it is there.
@@ -148,7 +148,7 @@ struct ScreenBox {
   float maxY;
   float nearestDepth;      // upper bound of the window depth of any of its points; larger is nearer
   float pixelsPerUnit;     // upper bound of pixels per object-space unit of error
-  float tau;               // error it may show, pixels: the view's, divided by the importance of its place
+  float tau;               // allowed screen-space error, pixels: that of the view, divided by the importance
   uint cover;              // two halves: covered share of the block in front of it, its mean open chord in pixels
 };
 JAL_ASSERT_SIZE(ScreenBox, 32)

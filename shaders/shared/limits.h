@@ -36,20 +36,20 @@ const float kChordPixels = 16.0;
 const float kLeastShare = 1.0 / 1073741824.0;
 /// Share of its rectangle that an object in full sight is taken to fill.
 const float kSilhouetteShare = 0.5;
-/// Pixels added to the visible ones and to the expected ones before they are divided: one pixel more or less of a nearly
-/// hidden object must not change its level.
+/// Pixels added to the visible and to the expected pixels before they are divided, so that one visible pixel more or
+/// less of a mostly occluded object does not change its level.
 const float kPixelGuard = 4.0;
 
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times CullView.hysteresis, and the next coarser one's is above
 /// the budget divided by it. The usual margin.
 const float kDefaultHysteresis = 2.0;
-/// A calm budget is relaxed by at most the width of the usual margin: what nobody sees then has a level that it need not
-/// leave when it comes into sight.
+/// A calm budget is relaxed by at most the width of the default margin: the level of an occluded object then still fits
+/// when the object becomes visible.
 const float kMostCalmRelaxed = 4.0;         // kDefaultHysteresis^2
 const float kLeastCalmShare = 1.0 / 256.0;  // kMostCalmRelaxed^-4
-/// Share of the way that the level of visibility goes to its new value in one frame, when the object comes into sight
-/// and when it goes out of it.
+/// Step of the level of visibility towards its new value in one frame, as a share of the difference, when the object
+/// becomes visible and when it becomes occluded.
 const float kSmoothAppearing = 0.25;
 const float kSmoothHiding = 0.03125;
 /// Frames of a cross-fade: the usual ones, and how many the marks have room for.
@@ -63,7 +63,7 @@ const uint kSlotBinBits = 8u;
 const uint kNoBin = 0xffffffffu;
 
 /// Two phases: an object that comes into view is drawn before the test if its rectangle covers at least this share of the
-/// screen: it probably hides more than it costs.
+/// screen, because it probably occludes more than it costs.
 const float kLargeShare = 1.0 / 32.0;
 
 /// Bound of the rounding error of a clip-space component, as a share of the sum of the magnitudes that went into it.
@@ -124,7 +124,7 @@ const uint kBindingInstances = 4u;
 const uint kBindingCommands = 5u;
 const uint kBindingBlockSums = 6u;
 const uint kBindingEntries = 7u;
-// What was culled, as ghosts.
+// Culled objects (mark_ghosts.comp).
 const uint kBindingGhostStates = 5u;
 const uint kBindingGhostMarks = 7u;
 // Counting.

@@ -1,7 +1,7 @@
 // One level of the farthest-depth pyramid from the one below (docs/two_phase_culling.md). Depth is reversed: farther is
 // smaller. Texel (x, y) of level L stands for exactly the pixels [x << L, (x + 1) << L), clipped to the screen.
 //
-// JAL_FROM_DEPTH: level 1 from the depth buffer. JAL_COVERED: pixels that nothing covers do not count.
+// JAL_FROM_DEPTH: level 1 from the depth buffer. JAL_COVERED: pixels without a surface do not count.
 // JAL_MINMAX: the minimum of four texels through a sampler (ARB_texture_filter_minmax) instead of four fetches.
 // One thread: one texel of the target. Barrier owed: TEXTURE_FETCH for the next level and for analyse.comp.
 // CPU twin: src/visibility/depth_pyramid_reference.cpp
@@ -15,7 +15,7 @@ layout(std140, binding = kBindingReduceView) uniform ReduceViewBlock { ReduceVie
 layout(binding = kUnitDepth) uniform sampler2D source;
 layout(r32f, binding = kImageTarget) writeonly uniform image2D target;
 
-const float kNearest = 1.0;  // never the farthest: padding, and with JAL_COVERED what is open
+const float kNearest = 1.0;  // never the farthest: for padding, and with JAL_COVERED for pixels without a surface
 
 float farthestOf(vec4 depths) {
 #ifdef JAL_COVERED

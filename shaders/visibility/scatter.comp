@@ -1,4 +1,4 @@
-// Puts every object of a phase at its place in the instance list, and what fades out at its own.
+// Writes every object of a phase to its place in the instance list, and the levels that fade out to theirs.
 //
 // JAL_PER_OBJECT: the reference path writes one command per instance as well, in the same order.
 // One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances (and commands).

@@ -13,8 +13,8 @@ namespace jalousie::visibility {
 
 /// Which pixels of the depth buffer count.
 enum class DepthSource {
-  kAll,      ///< what nothing covers is infinitely far
-  kCovered,  ///< what nothing covers does not count; only where the occlusion map says how much is covered
+  kAll,      ///< pixels without a surface are infinitely far
+  kCovered,  ///< pixels without a surface do not count; for modes whose occlusion map has the covered share
 };
 
 /// One pyramid for one screen size. CPU twin: DepthPyramidReference.
@@ -38,7 +38,7 @@ class DepthPyramidPass {
   MapLayout layout_;
   bool minMaxFilter_;
   gl::Texture texture_;
-  gl::Handle<gl::SamplerTraits> edgeSampler_;  ///< whatever the depth texture's own wrapping is
+  gl::Handle<gl::SamplerTraits> edgeSampler_;  ///< replaces the wrapping of the depth texture
   gl::Handle<gl::SamplerTraits> minSampler_;   ///< reduces four texels to their minimum, with minMaxFilter_
   gl::Program firstProgram_;
   gl::Program firstCoveredProgram_;

@@ -14,7 +14,7 @@ namespace jalousie::visibility {
 class DepthPyramidReference {
  public:
   /// @param depth    [screenWidth * screenHeight], window depth, row 0 at the bottom
-  /// @param covered  only pixels with depth > 0 count above level 0: the farthest depth of what is covered
+  /// @param covered  only pixels with depth > 0 count above level 0: the farthest depth of the covered pixels
   DepthPyramidReference(const MapLayout& layout, std::span<const float> depth, bool covered);
 
   const MapLayout& layout() const { return layout_; }

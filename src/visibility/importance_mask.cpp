@@ -1,4 +1,4 @@
-// Builds the pyramid by taking the largest of 2x2 texels.
+// Builds the pyramid of the mask from the largest of 2x2 texels.
 #include "visibility/importance_mask.h"
 
 #include <algorithm>

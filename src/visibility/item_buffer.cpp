@@ -1,4 +1,4 @@
-// One pixel at a time.
+// Counts the item buffer pixel by pixel.
 #include "visibility/item_buffer.h"
 
 #include "core/check.h"

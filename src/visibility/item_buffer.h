@@ -1,4 +1,4 @@
-// Plain CPU twin of shaders/visibility/count_pixels.comp: how many pixels show each object (an item buffer, Weghorst,
+// Plain CPU twin of shaders/visibility/count_pixels.comp: visible pixels of each object (an item buffer, Weghorst,
 // Hooper and Greenberg 1984).
 #pragma once
 

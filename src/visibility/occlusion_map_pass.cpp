@@ -24,7 +24,7 @@ OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* d
       reduceProgram_(std::move(reduceProgram)) {
   texture_.setSampling(GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
   if (depth != nullptr) depthFramebuffer_.emplace(texture_, depth, "occlusion map level 0 with depth");
-  texture_.clear(0, 0.0F);  // the padding around the screen has no open pixels, now and for ever
+  texture_.clear(0, 0.0F);  // the padding around the screen never has open pixels
 }
 
 void OcclusionMapPass::beginOccluders(bool withDepth) const {

@@ -9,7 +9,7 @@
 
 namespace jalousie::visibility {
 
-/// The pyramid. Level L holds, per texel, the number of open pixels: exact sums, so nothing is ever rounded away.
+/// The pyramid. Level L holds, per texel, the number of open pixels: exact sums, so no open pixel is lost to rounding.
 /// Row 0 is the bottom row, as in window coordinates.
 class OcclusionMapReference {
  public:

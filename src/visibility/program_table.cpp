@@ -1,4 +1,4 @@
-// One line per compute program.
+// One row per compute program.
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {

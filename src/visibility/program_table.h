@@ -1,4 +1,4 @@
-// The compute programs of the visibility passes, in one table that a test builds completely.
+// Table of the compute programs of the visibility passes; a test builds every row.
 #pragma once
 
 #include <span>
