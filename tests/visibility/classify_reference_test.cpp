@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "policy/frame_policy.h"
 #include "scene/camera.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::visibility {
 namespace {
