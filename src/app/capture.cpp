@@ -19,7 +19,7 @@ double median(std::vector<double> values) {
 /// second draws all that the first one let through) and their pixels are counted, and one more to warm caches up if
 /// times are wanted.
 std::uint32_t warmUpFrames(const RenderOptions& options) {
-  return (options.mode == "hiz" || options.lv == "pixels" ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
+  return (dependsOnHistory(options.frameOptions) ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
 }
 
 }  // namespace
