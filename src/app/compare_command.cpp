@@ -13,6 +13,7 @@
 
 #include "app/warnings.h"
 #include "asset/image_io.h"
+#include "asset/scene_file.h"
 #include "compare/experiment_log.h"
 #include "compare/page.h"
 #include "compare/summary.h"

@@ -13,6 +13,7 @@
 #include "app/option_checks.h"
 #include "app/option_values.h"
 #include "asset/camera_write.h"
+#include "asset/gltf_file.h"
 #include "core/check.h"
 #include "core/error.h"
 #include "scene/camera.h"

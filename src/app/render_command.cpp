@@ -9,6 +9,7 @@
 #include "app/capture.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
+#include "asset/scene_file.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/progress.h"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "asset/scene_file.h"
 #include "core/random.h"
 #include "render/scene_buffers.h"
 #include "scene/camera.h"
