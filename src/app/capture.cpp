@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gl/pass_timer.h"
+
 namespace jalousie::app {
 namespace {
 

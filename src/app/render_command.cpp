@@ -16,6 +16,7 @@
 #include "platform/headless_context.h"
 #include "render/frame_renderer.h"
 #include "scene/scene_data.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::app {
 namespace {

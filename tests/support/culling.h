@@ -14,7 +14,7 @@ namespace jalousie::test {
 /// Levels by projected error alone: what is compared must not depend on what was seen before.
 inline render::FrameOptions pixelErrorOptions() {
   render::FrameOptions options;
-  options.lodRule = gpu::kLodPixelError;
+  options.lodRule = LodRule::kPixelError;
   return options;
 }
 

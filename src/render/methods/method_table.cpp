@@ -32,7 +32,7 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode) {
 MethodTable::MethodTable() {
   for (const CullModeRow& row : cullModeTable()) {
     methods_.push_back(makeMethod(row.id));
-    JAL_CHECK(methods_.back() != nullptr);
+    JAL_CHECK(methods_.back().get() != nullptr);
   }
 }
 
