@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "asset/scene_file.h"
-#include "compare/experiment.h"
+#include "compare/switches.h"
 #include "compare/image_error.h"
 #include "core/error.h"
 #include "core/random.h"

@@ -1,9 +1,11 @@
-// Formats the figures of one frame.
+// Formats the statistics and times of one frame.
 #include "app/render_report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include "compare/statistics_table.h"
 
 namespace jalousie::app {
 namespace {
@@ -25,22 +27,10 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& s) {
-  json["objects"] = s.objects;
-  json["culled_frustum"] = s.culledFrustum;
-  json["occluders"] = s.occluders;
-  json["culled_occlusion"] = s.culledOcclusion;
-  json["culled_small"] = s.culledSmall;
-  json["drawn"] = s.drawn;
-  json["drawn_early"] = s.drawnEarly;
-  json["drawn_stale"] = s.drawnStale;
-  json["switches"] = s.switches;
-  json["fading"] = s.fading;
-  json["dropped"] = s.dropped;
-  json["draws"] = s.draws;
-  json["triangles"] = s.triangles;
-  json["triangles_full"] = s.trianglesFull;
-  json["lod_histogram"] = s.lodHistogram;
+void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& statistics) {
+  for (const compare::StatisticsField& field : compare::kStatisticsFields)
+    json[field.key] = statistics.*field.value;
+  json["lod_histogram"] = statistics.lodHistogram;
 }
 
 std::string reportJson(const RenderOptions& options, const RenderReport& report) {
