@@ -21,6 +21,20 @@ std::string grouped(std::uint64_t value) {
   return text;
 }
 
+// The figures that a report shows depend on the method.
+bool followsTau(const RenderOptions& options) {
+  return options.lod == "pixel-error" || options.lod == "lv-error";
+}
+bool relaxesTau(const RenderOptions& options) {
+  return options.lod == "lv-error";
+}
+bool tessellates(const RenderOptions& options) {
+  return options.detail == "tessellation";
+}
+bool hasTwoPhases(const RenderOptions& options) {
+  return options.mode == "hiz";
+}
+
 double percent(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
@@ -42,10 +56,10 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["mode"] = options.mode;
   json["lod"] = options.lod;
   json["lv"] = options.lv;
-  if (options.lod == "pixel-error" || options.lod == "lv-error") json["tau"] = options.frameOptions.tau;
-  if (options.lod == "lv-error") json["relax"] = options.frameOptions.relax;
+  if (followsTau(options)) json["tau"] = options.frameOptions.tau;
+  if (relaxesTau(options)) json["relax"] = options.frameOptions.relax;
   json["detail"] = options.detail;
-  if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
+  if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
   json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
@@ -63,12 +77,12 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
                       grouped(s.culledOcclusion));
   if (options.frameOptions.minPixels > 0.0F) text += fmt::format("small {}, ", grouped(s.culledSmall));
   text += fmt::format("drawn {}", grouped(s.drawn));
-  if (options.mode == "hiz") text += fmt::format(" ({} before the test)", grouped(s.drawnEarly));
+  if (hasTwoPhases(options)) text += fmt::format(" ({} in phase 1)", grouped(s.drawnEarly));
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFull), grouped(s.trianglesFull));
-  text += options.detail == "tessellation" ? "  levels 1.." : "  LOD 0..";
+  text += tessellates(options) ? "  levels 1.." : "  LOD 0..";
   text += fmt::format(" {}\n", fmt::join(s.lodHistogram, " "));
   text += fmt::format("  time {:.1f} ms:", report.times.frameMs);
   for (const auto& [name, ms] : report.times.passes)
