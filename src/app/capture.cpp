@@ -1,21 +1,15 @@
 // Warm-up, repeats, medians.
 #include "app/capture.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/median.h"
 #include "gl/pass_timer.h"
 
 namespace jalousie::app {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Frames before the measured ones: until the visible set of two phases has settled (the first frame knows nothing, the
 /// second draws all that the first one let through) and their pixels are counted, and one more to warm caches up if

@@ -34,8 +34,7 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 
 void runRender(const RenderOptions& options) {
   const asset::SceneFile file = asset::readSceneFile(options.scene);
-  const scene::SceneData scene =
-      scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
+  const scene::SceneData scene = scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
 
   const platform::HeadlessContext context(/*debug=*/false);
