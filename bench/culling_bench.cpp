@@ -11,6 +11,7 @@
 #include "asset/scene_file.h"
 #include "core/error.h"
 #include "gl_bench.h"
+#include "scene/scene_data.h"
 #include "support/culling.h"
 
 namespace {

@@ -84,7 +84,7 @@ double ratioAtEqualError(const std::vector<Sample>& samples, const std::vector<S
 
 double frameMs(render::FrameRenderer& renderer) {
   double sum = 0.0;
-  for (const gl::PassTime& pass : renderer.timer().passes())
+  for (const PassTime& pass : renderer.passTimes())
     sum += pass.ms;
   return sum;
 }
@@ -94,7 +94,7 @@ double frameMs(render::FrameRenderer& renderer) {
 std::vector<double> interleavedTimes(Stage& stage, const std::vector<render::FrameOptions>& all) {
   std::vector<std::vector<double>> times(all.size());
   render::FrameRenderer& renderer = stage.renderer;
-  renderer.timer().setTiming(gl::Timing::kWall);
+  renderer.setTiming(Timing::kWall);
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       renderer.render(all[i], stage.camera, stage.camera);
@@ -107,7 +107,7 @@ std::vector<double> interleavedTimes(Stage& stage, const std::vector<render::Fra
       times[i].push_back(sum);
     }
   }
-  renderer.timer().setTiming(gl::Timing::kOff);
+  renderer.setTiming(Timing::kOff);
   std::vector<double> medians;
   for (std::vector<double>& samples : times)
     medians.push_back(median(std::move(samples)));

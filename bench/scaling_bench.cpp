@@ -15,6 +15,7 @@
 #include "core/median.h"
 #include "gl/capabilities.h"
 #include "gl_bench.h"
+#include "policy/cull_mode.h"
 #include "render/scene_buffers.h"
 #include "scaling_scene.h"
 #include "visibility/classify_reference.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "policy/frame_policy.h"
 #include "support/scenes.h"
 
 namespace jalousie::bench {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/median.h"
-#include "gl/pass_timer.h"
 
 namespace jalousie::app {
 namespace {
@@ -33,12 +32,12 @@ RenderReport captureFrame(const RenderOptions& options, render::FrameRenderer& r
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> samples;
   renderer.resetHistory();
-  renderer.timer().setTiming(report.gpuTiming ? gl::Timing::kGpu : gl::Timing::kWall);
+  renderer.setTiming(report.gpuTiming ? Timing::kGpu : Timing::kWall);
   for (std::uint32_t i = 0; i < captureFrames(options); ++i) {
     if (progress) progress(i);
     renderer.render(options.frameOptions, cameras.cull, cameras.draw);
     if (i < warmUpFrames(options)) continue;
-    for (const gl::PassTime& pass : renderer.timer().passes()) {
+    for (const PassTime& pass : renderer.passTimes()) {
       std::vector<double>& times = samples[std::string(pass.name)];
       if (times.empty()) order.emplace_back(pass.name);
       times.push_back(pass.ms);

@@ -25,8 +25,10 @@
 #include "core/file.h"
 #include "core/progress.h"
 #include "platform/headless_context.h"
+#include "render/frame_renderer.h"
 #include "scene/camera.h"
 #include "scene/scene_data.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::app {
 namespace {

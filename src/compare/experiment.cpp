@@ -132,7 +132,7 @@ render::FrameRenderer& Experiment::renderer(std::size_t configuration) {
 
 /// Starts a new history and renders the frames that lead to `frame`, without measuring them.
 void Experiment::approach(render::FrameRenderer& renderer, const render::FrameOptions& options, std::uint32_t frame) {
-  renderer.timer().setTiming(gl::Timing::kOff);
+  renderer.setTiming(Timing::kOff);
   renderer.resetHistory();
   render::FrameOptions quiet = options;
   quiet.skipDraw = true;
@@ -149,7 +149,7 @@ void Experiment::catchUp(std::uint32_t frame) {
     for (std::size_t c = 0; c < inputs_.configurations.size(); ++c) {
       render::FrameOptions quiet = inputs_.configurations[c].frame;
       quiet.skipDraw = k + 1 < frame || inputs_.plan.reference == Reference::kNone;
-      renderer(c).timer().setTiming(gl::Timing::kOff);
+      renderer(c).setTiming(Timing::kOff);
       renderer(c).render(quiet, cameraAt(inputs_.path, k), cameraAt(inputs_.path, k));
       if (!quiet.skipDraw) lastSeen_[c].emplace(renderer(c).readImage(), inputs_.plan.pixelsPerDegree);
     }
@@ -162,14 +162,14 @@ Sample Experiment::measure(std::size_t configuration, const render::FrameOptions
   Sample sample;
   sample.frame = frame;
   sample.configuration = configuration;
-  target.timer().setTiming(inputs_.plan.gpuTiming ? gl::Timing::kGpu : gl::Timing::kWall);
+  target.setTiming(inputs_.plan.gpuTiming ? Timing::kGpu : Timing::kWall);
   target.render(options, cameraAt(inputs_.path, frame), cameraAt(inputs_.path, frame));
-  for (const gl::PassTime& pass : target.timer().passes()) {
+  for (const PassTime& pass : target.passTimes()) {
     // In a frame that counts pixels, two passes can have the same name.
     sample.passes.emplace_back(std::string(pass.name), pass.ms);
     sample.frameMs += pass.ms;
   }
-  target.timer().setTiming(gl::Timing::kOff);
+  target.setTiming(Timing::kOff);
   sample.statistics = target.readStatistics();
   return sample;
 }

@@ -30,9 +30,9 @@ DebugViews::Halvings::Halvings(std::uint32_t width, std::uint32_t height)
 }
 
 void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists) {
-  if (frame.view.view == View::kWireframe) drawLines(frame, pass, buffers);
-  if (frame.view.view == View::kOverdraw) drawOverdraw(frame, pass, buffers);
-  if (frame.view.view == View::kGhosts) drawGhosts(frame, pass, buffers, lists);
+  if (frame.view.view == gpu::kViewWireframe) drawLines(frame, pass, buffers);
+  if (frame.view.view == gpu::kViewOverdraw) drawOverdraw(frame, pass, buffers);
+  if (frame.view.view == gpu::kViewGhosts) drawGhosts(frame, pass, buffers, lists);
 }
 
 void DebugViews::drawLines(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers) {

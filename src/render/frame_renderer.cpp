@@ -114,8 +114,11 @@ std::vector<gpu::uint> FrameRenderer::readPixelCounts() const {
   return parts_->visibility.pixelCounts().read<gpu::uint>(parts_->buffers.objectCount());
 }
 
-gl::PassTimer& FrameRenderer::timer() {
-  return parts_->timer;
+void FrameRenderer::setTiming(Timing timing) {
+  parts_->timer.setTiming(timing);
+}
+const std::vector<PassTime>& FrameRenderer::passTimes() {
+  return parts_->timer.passes();
 }
 const gl::Texture& FrameRenderer::color() const {
   return parts_->targets.color;

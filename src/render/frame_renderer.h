@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/timing.h"
 #include "render/frame_options.h"
 #include "render/frame_statistics.h"
 #include "shared/frame_structs.h"
@@ -15,7 +16,6 @@
 
 namespace jalousie::gl {
 class Buffer;
-class PassTimer;
 class Texture;
 }  // namespace jalousie::gl
 namespace jalousie::scene {
@@ -85,7 +85,10 @@ class FrameRenderer {
   /// Visible pixels of each object; of frames with LvMeasure::kPixels.
   std::vector<gpu::uint> readPixelCounts() const;
 
-  gl::PassTimer& timer();
+  /// How the passes of the next frames are timed; off at first.
+  void setTiming(Timing timing);
+  /// Times of the last frame's passes, in order; with Timing::kGpu it waits for them.
+  const std::vector<PassTime>& passTimes();
   /// The frame's picture, GL_SRGB8_ALPHA8, row 0 at the bottom.
   const gl::Texture& color() const;
   const gpu::CullView& cullView() const;

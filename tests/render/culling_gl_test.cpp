@@ -7,6 +7,8 @@
 #include "support/culling.h"
 #include "support/gl_test.h"
 #include "support/scenes.h"
+#include "visibility/frame_counters.h"
+#include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::render {
 namespace {
@@ -215,7 +217,8 @@ TEST_F(CullingGl, DepthAwareMapLosesNothingBehindAGroundPlaneWhereTheThesisMapDo
   const test::Journey j = journey(test::groundPlane(250, 1), 6);
   FrameOptions options = test::pixelErrorOptions();
   options.cullMode = CullMode::kHomDepth;
-  for (const float occluderTau : {0.0F, kDefaultOccluderTau, 2.0F}) {  // the guard pays for coarser levels in the map
+  for (const float occluderTau :
+       {0.0F, rowOf(CullMode::kHomDepth).occluderTau, 2.0F}) {  // the guard pays for coarser levels in the map
     options.occluderTau = occluderTau;
     EXPECT_GT(expectLossless(j, 333, 197, 24, options).culled, 50U) << "occluder tau " << occluderTau;
   }

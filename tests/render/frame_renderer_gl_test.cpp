@@ -11,8 +11,15 @@
 #include <optional>
 #include <set>
 
+#include "gl/buffer.h"
+#include "render/make_statistics.h"
 #include "support/gl_test.h"
 #include "support/stages.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/draw_lists_reference.h"
+#include "visibility/importance_mask.h"
+#include "visibility/occlusion_map_pass.h"
 #include "visibility/overlap_reference.h"
 
 namespace jalousie::render {
@@ -225,7 +232,7 @@ TEST_F(FrameRendererGl, TriangleCountEqualsTheDriversCount) {
     options.maxTessellation = 7;
     PrimitiveQuery query;
     renderer.render(options, camera, camera);
-    EXPECT_EQ(query.end(), renderer.readStatistics().triangles) << "detail " << detail;
+    EXPECT_EQ(query.end(), renderer.readStatistics().triangles) << "detail " << rowOf(detail).name;
   }
 }
 
@@ -254,10 +261,10 @@ TEST_F(FrameRendererGl, PassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setTiming(gl::Timing::kWall);
+  renderer.setTiming(Timing::kWall);
   renderer.render(homOptions(), camera, camera);
   std::vector<std::string> names;
-  for (const gl::PassTime& pass : renderer.timer().passes())
+  for (const PassTime& pass : renderer.passTimes())
     names.emplace_back(pass.name);
   EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "occluders", "reduce map", "analyse",
                                              "late list", "draw", "count"}));
@@ -267,10 +274,10 @@ TEST_F(FrameRendererGl, TwoPhasePassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setTiming(gl::Timing::kWall);
+  renderer.setTiming(Timing::kWall);
   renderer.render({}, camera, camera);
   std::vector<std::string> names;
-  for (const gl::PassTime& pass : renderer.timer().passes())
+  for (const PassTime& pass : renderer.passTimes())
     names.emplace_back(pass.name);
   EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "early draw", "depth pyramid", "analyse",
                                              "late list", "late draw", "count pixels", "count"}));
@@ -305,7 +312,8 @@ TEST_F(FrameRendererGl, SubmissionsAndFastPathsGiveTheSameImageAndDepth) {
             image = renderer.readImage();
             depth = renderer.readDepth();
           }
-          EXPECT_EQ(renderer.readImage().pixels, image->pixels) << "detail " << detail << " mode " << mode;
+          EXPECT_EQ(renderer.readImage().pixels, image->pixels)
+              << "detail " << rowOf(detail).name << " mode " << rowOf(mode).name;
           EXPECT_EQ(renderer.readDepth(), depth);
         }
       }

@@ -1,10 +1,11 @@
 // Counting of verdicts into figures.
-#include "render/frame_statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
+#include "policy/frame_policy.h"
+#include "render/make_statistics.h"
 #include "support/scenes.h"
 
 namespace jalousie::render {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "render/frame_renderer.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::test {
 

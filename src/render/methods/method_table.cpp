@@ -31,8 +31,10 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode) {
 
 MethodTable::MethodTable() {
   for (const CullModeRow& row : cullModeTable()) {
-    methods_.push_back(makeMethod(row.id));
-    JAL_CHECK(methods_.back().get() != nullptr);
+    std::unique_ptr<CullMethod> method = makeMethod(row.id);
+    const bool known = method != nullptr;
+    JAL_CHECK(known);
+    methods_.push_back(std::move(method));
   }
 }
 
