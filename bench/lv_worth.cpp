@@ -160,9 +160,9 @@ void requireReference(Stage& stage) {
 
 void printHead(const LvView& view) {
   fmt::print(
-      "{}, view {}\n| configuration | triangles | PSNR | SSIM | frame / hiz + pixel-error | triangles at equal PSNR / "
-      "hiz "
-      "+ pixel-error | / frustum + pixel-error |\n|---|---|---|---|---|---|---|\n",
+      "{}, view {}\n"
+      "| configuration | triangles | PSNR | SSIM | frame / hiz + pixel-error "
+      "| triangles at equal PSNR / hiz + pixel-error | / frustum + pixel-error |\n|---|---|---|---|---|---|---|\n",
       view.sceneName, view.text);
 }
 

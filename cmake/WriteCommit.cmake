@@ -2,6 +2,7 @@
 # Writes a header that defines JALOUSIE_BENCH_COMMIT as the commit of the working tree. The file changes only if the
 # commit does, so that nothing is compiled again without need.
 
+cmake_minimum_required(VERSION 3.25)
 set(commit "")
 find_program(git git)
 if(git AND EXISTS "${SOURCE}/.git")

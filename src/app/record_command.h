@@ -40,8 +40,7 @@ struct RecordOptions {
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
 void addRecordOptions(CLI::App& command, RecordOptions& options);
 
-/// Appends a camera's pose at a frame. Of the two quaternions of its rotation, the one nearer to the last pose's is
-/// taken.
+/// Appends a camera's pose at a frame. Of the two quaternions of its rotation, takes the one nearer to the last pose's.
 void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera);
 
 /// Writes a GLB that holds an animated camera and nothing else.

@@ -15,8 +15,8 @@ double psnr(const ImageRgba8& reference, const ImageRgba8& test);
 inline constexpr std::uint32_t kLeastSsimSide = 8;
 
 /// Mean structural similarity (Wang et al. 2004) over R, G and B and over windows of 8x8 pixels, 4 pixels apart.
-/// Variances are divided by n - 1, as in ffmpeg's filter. 1 for equal pictures. @pre equal sizes >= kLeastSsimSide
-/// (checked)
+/// Variances are divided by n - 1, as in ffmpeg's filter. 1 for equal pictures.
+/// @pre equal sizes, sides at least kLeastSsimSide (checked)
 double ssim(const ImageRgba8& reference, const ImageRgba8& test);
 
 /// Default of the FLIP paper: 67.02 pixels per degree, a monitor 0.7 m and 3840 pixels wide seen from 0.7 m.

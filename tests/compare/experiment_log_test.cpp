@@ -1,5 +1,4 @@
-// The log of an experiment: written results are read back, an interruption loses one line, other experiments are
-// refused.
+// The log of an experiment: results are read back, an interruption loses one line, other experiments are refused.
 #include "compare/experiment_log.h"
 
 #include <gtest/gtest.h>
