@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/gl_debug.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "compare/experiment_log.h"
@@ -185,7 +186,8 @@ int runCompare(const CompareOptions& options) {
   std::optional<scene::SceneData> patches;
   if (setup.patches) patches.emplace(scene::buildScene(file, {.patches = true}));
 
-  const platform::HeadlessContext context(/*debug=*/false);
+  const platform::HeadlessContext context(options.debug);
+  const GlDebug debug(options.debug);
   plan.renderer = context.capabilities().renderer;
   plan.build = compare::digestOf(readFile("/proc/self/exe", kMaxProgramBytes));
   plan.gpuTiming = !context.capabilities().softwareRenderer;
@@ -209,6 +211,7 @@ int runCompare(const CompareOptions& options) {
     for (progress.update(); experiment.stepsDone() < experiment.stepCount() && interrupted == 0; progress.update())
       experiment.runStep();
   }
+  debug.check();
   if (!options.quiet) fmt::print(stderr, "jalousie: writing the report\n");
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,

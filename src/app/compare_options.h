@@ -35,6 +35,7 @@ struct CompareOptions {
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
   bool resume = false;
   bool quiet = false;
+  bool debug = false;   ///< an OpenGL debug context, whose messages become the exit code
   std::string command;  ///< to repeat it, for the report
 
   std::vector<ConfigurationText> chosen;  ///< filled by finish()

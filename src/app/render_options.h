@@ -41,6 +41,7 @@ struct RenderOptions {
   std::uint32_t settle = 2;  ///< frames before the picture with hiz: 0 shows the frame of a cut
   bool statsOnly = false;
   bool quiet = false;
+  bool debug = false;  ///< an OpenGL debug context, whose messages become the exit code
   std::string draws = "instanced";
   bool coreOnly = false;
   std::set<std::string> given;              ///< names of the table's options that were said, whatever their value
