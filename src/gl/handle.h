@@ -30,7 +30,6 @@ class Handle {
   GLuint id() const { return id_; }
   /// Gives the name away; the caller deletes it.
   GLuint release() { return std::exchange(id_, 0); }
-  explicit operator bool() const { return id_ != 0; }
 
  private:
   void reset() {
