@@ -1,4 +1,4 @@
-// Compiles and links; a failure carries the driver's log with file names instead of numbers.
+// Compiles and links programs. An error carries the log of the driver and the file names that its numbers mean.
 #include "gl/program.h"
 
 #include <fmt/format.h>
