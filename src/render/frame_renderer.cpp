@@ -44,6 +44,11 @@ float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorl
 
 FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
                              const RendererOptions& options)
+    : FrameRenderer(scene, width, height, options,
+                    options.shaders != nullptr ? *options.shaders : gl::ShaderLibrary()) {}
+
+FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                             const RendererOptions& options, const gl::ShaderLibrary& shaders)
     : scene_(scene),
       width_(width),
       height_(height),
@@ -52,14 +57,15 @@ FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width,
       fullTriangles_(countFullTriangles(scene)),
       buffers_(scene),
       targets_(width, height),
-      map_(visibility::mapLayout(width, height), &targets_.depth),
-      pyramid_(visibility::mapLayout(width, height), capabilities_),
-      visibility_(buffers_.objectCount(), options.importance),
-      lists_(scene),
+      map_(visibility::mapLayout(width, height), &targets_.depth, shaders),
+      pyramid_(visibility::mapLayout(width, height), capabilities_, shaders),
+      visibility_(buffers_.objectCount(), options.importance, shaders),
+      lists_(scene, shaders),
       early_(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late_(scene, gpu::kMarkLate, listOptions(scene, options)),
-      draw_(capabilities_),
-      views_(scene) {}
+      statistics_(shaders),
+      draw_(capabilities_, shaders),
+      views_(scene, shaders) {}
 
 FrameRenderer::Targets::Targets(std::uint32_t width, std::uint32_t height)
     : color(GL_TEXTURE_2D, GL_SRGB8_ALPHA8, {width, height, 1, 1}, "frame colour"),

@@ -64,6 +64,8 @@ struct RendererOptions {
   std::optional<std::uint32_t> capacity = {};
   /// Scales tau and minPixels by region; only read by the constructor. May be null.
   const visibility::ImportanceMask* importance = nullptr;
+  /// Replaces embedded shaders; only read by the constructor. Null: the embedded ones.
+  const gl::ShaderLibrary* shaders = nullptr;
 };
 
 /// Distance to the scene's box plus kOccluderDepth of its diagonal: the front layer of objects, from outside and
@@ -136,6 +138,8 @@ class FrameRenderer {
   std::uint32_t height() const { return height_; }
 
  private:
+  FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                const RendererOptions& options, const gl::ShaderLibrary& shaders);
   void setViews(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera);
   void buildList(visibility::DrawList& list, const char* pass);
   void findOccluded(const FrameOptions& options);
