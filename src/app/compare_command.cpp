@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/gl_debug.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -220,7 +221,8 @@ int runCompare(const CompareOptions& options) {
   if (setup.patches) patches.emplace(scene::buildScene(file, {.patches = true}));
   const compare::Scenes scenes{plain, patches ? &*patches : nullptr};
 
-  const platform::HeadlessContext context(/*debug=*/false);
+  const platform::HeadlessContext context(options.debug);
+  const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
   if (!options.quiet) warn(options, setup, scenes, context.capabilities());
   prepareFolder(options.output);
@@ -230,6 +232,7 @@ int runCompare(const CompareOptions& options) {
 
   const InterruptGuard guard;
   runSteps(experiment, options);
+  debug.check();
   if (!options.quiet) fmt::print(stderr, "jalousie: writing the report\n");
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,

@@ -34,6 +34,7 @@ struct CompareOptions {
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
   bool resume = false;
   bool quiet = false;
+  bool debug = false;   ///< use an OpenGL debug context; its messages set the exit code
   std::string command;  ///< shown in the report, so that the experiment can be repeated
 
   std::vector<ConfigurationText> chosen;  ///< set by finish()

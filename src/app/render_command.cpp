@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/capture.h"
+#include "app/gl_debug.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -37,7 +38,8 @@ void runRender(const RenderOptions& options) {
   const scene::SceneData scene = scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
 
-  const platform::HeadlessContext context(/*debug=*/false);
+  const platform::HeadlessContext context(options.debug);
+  const GlDebug debug(options.debug);
   std::optional<visibility::ImportanceMask> importance;
   if (!options.importance.empty()) importance.emplace(asset::loadImage(options.importance));
   render::RendererOptions rendererOptions = options.rendererOptions;
@@ -56,6 +58,7 @@ void runRender(const RenderOptions& options) {
   const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
   if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
+  debug.check();
   writeReport(options, report);
 }
 

@@ -35,6 +35,7 @@ struct RenderOptions {
   std::uint32_t settle = 2;  ///< frames before the picture where it depends on history; 0 shows the frame of a cut
   bool statsOnly = false;
   bool quiet = false;
+  bool debug = false;  ///< use an OpenGL debug context; its messages set the exit code
   bool coreOnly = false;
   std::set<std::string> given;  ///< names of the table's options that the command line holds, whatever their value
   render::FrameOptions frameOptions;

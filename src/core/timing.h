@@ -7,9 +7,9 @@ namespace jalousie {
 
 /// How passes are timed.
 enum class Timing {
-  kOff,   ///< no timing; debug groups only
-  kWall,  ///< glFinish and wall time around each pass: the only timing that is right on a software renderer
-  kGpu,   ///< timestamps on the GPU: passes overlap as they do without a timer
+  kOff,   ///< not timed; only the debug groups are opened
+  kWall,  ///< wall time between glFinish calls around each pass: right on a software renderer, too
+  kGpu,   ///< timestamps on the GPU; passes overlap as they do without a timer
 };
 
 /// Time of one pass.

@@ -23,12 +23,13 @@ class PassTimer {
   ~PassTimer();
 
   void setTiming(Timing timing) { timing_ = timing; }
-  /// Forgets the last frame's passes.
+  /// Removes the passes of the last frame.
   void beginFrame() { passes_.clear(); }
-  /// The frame's passes in order; with kGpu it waits for their timestamps. Passes beyond kMaxPasses are not timed.
+  /// Passes of the frame in order of their start. With kGpu this call waits for the GPU. Passes beyond kMaxPasses are
+  /// not timed.
   const std::vector<PassTime>& passes();
 
-  /// One pass; ends when destroyed.
+  /// One pass, from construction to destruction.
   class Scope {
    public:
     Scope(PassTimer& timer, const char* name);
@@ -47,7 +48,7 @@ class PassTimer {
  private:
   Timing timing_ = Timing::kOff;
   std::vector<PassTime> passes_;
-  std::array<GLuint, 2 * kMaxPasses> queries_{};  ///< start and end of each pass; made when first needed
+  std::array<GLuint, 2 * kMaxPasses> queries_{};  ///< start and end of each pass; created by the first timed one
 };
 
 }  // namespace jalousie::gl

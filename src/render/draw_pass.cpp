@@ -6,26 +6,28 @@
 namespace jalousie::render {
 namespace {
 
-std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities) {
+std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities,
+                                        const gl::ShaderLibrary& shaders) {
   std::array<gl::Program, 4> programs;
   for (unsigned i = 0; i < programs.size(); ++i) {
     const gl::ProgramSource& source = programTable()[static_cast<unsigned>(first) + i];
-    programs[i] = gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source);
+    programs[i] =
+        gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source, shaders);
   }
   return programs;
 }
 
 }  // namespace
 
-DrawPass::DrawPass(const gl::Capabilities& capabilities)
+DrawPass::DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders)
     : indirectCount_(capabilities.indirectCount),
-      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities)),
-      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities)),
-      id_(makePrograms(ProgramId::kIdSolid, capabilities)),
-      mapView_(programSource(ProgramId::kMapView)),
-      depthView_(programSource(ProgramId::kDepthView)),
-      overdrawView_(programSource(ProgramId::kOverdrawView)),
-      boxes_(programSource(ProgramId::kBoxes)),
+      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities, shaders)),
+      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities, shaders)),
+      id_(makePrograms(ProgramId::kIdSolid, capabilities, shaders)),
+      mapView_(programSource(ProgramId::kMapView), shaders),
+      depthView_(programSource(ProgramId::kDepthView), shaders),
+      overdrawView_(programSource(ProgramId::kOverdrawView), shaders),
+      boxes_(programSource(ProgramId::kBoxes), shaders),
       noInput_("no vertex input"),
       view_(sizeof(gpu::DrawView), GL_DYNAMIC_STORAGE_BIT, "draw view") {}
 

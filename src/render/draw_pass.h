@@ -24,7 +24,7 @@ enum class DrawPart { kOpaque, kBlended };
 class DrawPass {
  public:
   /// Draw parameters and count draws are used where the capabilities name them; results are the same without.
-  explicit DrawPass(const gl::Capabilities& capabilities);
+  explicit DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders = {});
 
   /// Uploads the drawing camera for all programs, and takes the detail path of the draws that follow from it.
   void setView(const gpu::DrawView& view);

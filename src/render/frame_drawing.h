@@ -11,7 +11,8 @@ namespace jalousie::render {
 class FrameDrawing {
  public:
   /// Builds the programs of the debug views. Errors: kShader.
-  FrameDrawing(const FrameContext& frame, const scene::SceneData& scene) : frame_(frame), views_(scene) {}
+  FrameDrawing(const FrameContext& frame, const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
+      : frame_(frame), views_(scene, shaders) {}
 
   /// Draws what the method decided, and counts visible pixels where the context says so.
   void draw(const FrameOptions& options, CullMethod& method);

@@ -8,6 +8,9 @@
 #include "shared/limits.h"
 #include "visibility/submission.h"
 
+namespace jalousie::gl {
+class ShaderLibrary;
+}
 namespace jalousie::visibility {
 class ImportanceMask;
 }
@@ -47,6 +50,8 @@ struct RendererOptions {
   std::optional<std::uint32_t> capacity = {};
   /// Scales tau and minPixels by region; only read by the constructor. May be null.
   const visibility::ImportanceMask* importance = nullptr;
+  /// Where shader texts come from; null: the embedded ones. Only read by the constructor.
+  const gl::ShaderLibrary* shaders = nullptr;
 };
 
 }  // namespace jalousie::render

@@ -22,23 +22,24 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
 }  // namespace
 
 FrameRenderer::Parts::Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
-                            const RendererOptions& options)
+                            const RendererOptions& options, const gl::ShaderLibrary& shaders)
     : scene(sceneData),
       capabilities(capabilitiesFor(options)),
       tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
       fullTriangles(countFullTriangles(scene)),
       buffers(scene),
       targets(width, height),
-      map(visibility::mapLayout(width, height), &targets.depth),
-      pyramid(visibility::mapLayout(width, height), capabilities),
-      visibility(buffers.objectCount(), options.importance),
-      lists(scene),
+      map(visibility::mapLayout(width, height), &targets.depth, shaders),
+      pyramid(visibility::mapLayout(width, height), capabilities, shaders),
+      visibility(buffers.objectCount(), options.importance, shaders),
+      lists(scene, shaders),
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
-      draw(capabilities),
+      statistics(shaders),
+      draw(capabilities, shaders),
       context{cullView, drawView, counting, timer,   buffers, visibility, lists,
               early,    late,     draw,     targets, map,     pyramid},
-      drawing(context, scene) {
+      drawing(context, scene, shaders) {
   methods.resize(width, height);
 }
 

@@ -15,7 +15,8 @@ namespace jalousie::render {
 
 /// Members refer to each other through the context, so the parts stay where they were made.
 struct FrameRenderer::Parts {
-  Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height, const RendererOptions& options);
+  Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height, const RendererOptions& options,
+        const gl::ShaderLibrary& shaders);
 
   const scene::SceneData& scene;
   gl::Capabilities capabilities;

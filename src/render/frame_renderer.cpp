@@ -8,7 +8,8 @@ namespace jalousie::render {
 
 FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
                              const RendererOptions& options)
-    : parts_(std::make_unique<Parts>(scene, width, height, options)) {}
+    : parts_(std::make_unique<Parts>(scene, width, height, options,
+                                     options.shaders != nullptr ? *options.shaders : gl::ShaderLibrary())) {}
 
 FrameRenderer::~FrameRenderer() = default;
 FrameRenderer::FrameRenderer(FrameRenderer&&) noexcept = default;

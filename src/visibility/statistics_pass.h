@@ -25,7 +25,7 @@ struct FrameRecord {
 /// still in flight goes uncounted instead of waiting. CPU twin of the counting: countStates.
 class StatisticsPass {
  public:
-  StatisticsPass();
+  explicit StatisticsPass(const gl::ShaderLibrary& shaders = {});
   ~StatisticsPass();
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;

@@ -31,13 +31,14 @@ gl::Texture makeImportance(const ImportanceMask& mask) {
 
 }  // namespace
 
-VisibilityPass::VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance)
+VisibilityPass::VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance,
+                               const gl::ShaderLibrary& shaders)
     : objectCount_(objectCount),
-      classifyProgram_(programSource(ProgramId::kClassify)),
-      analyseMapProgram_(programSource(ProgramId::kAnalyseMap)),
-      analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth)),
-      analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth)),
-      countPixelsProgram_(programSource(ProgramId::kCountPixels)),
+      classifyProgram_(programSource(ProgramId::kClassify), shaders),
+      analyseMapProgram_(programSource(ProgramId::kAnalyseMap), shaders),
+      analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth), shaders),
+      analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth), shaders),
+      countPixelsProgram_(programSource(ProgramId::kCountPixels), shaders),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
       cosines_(makeCosines()),
       states_(makeStorage(sizeof(gpu::ObjectState) * objectCount, "object states")),

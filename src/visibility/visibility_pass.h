@@ -44,7 +44,8 @@ struct CoverTextures {
 class VisibilityPass {
  public:
   /// Allocates every buffer for objectCount objects; nothing is allocated later.
-  explicit VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance = nullptr);
+  explicit VisibilityPass(std::uint32_t objectCount, const ImportanceMask* importance = nullptr,
+                          const gl::ShaderLibrary& shaders = {});
 
   /// Uploads camera and policy for the kernels; fills in the importance mask's size.
   /// @pre view.objectCount equals the constructor's (checked)

@@ -121,6 +121,7 @@ class Viewer {
   Canvas canvas_;
   std::vector<std::unique_ptr<Document>> documents_;
   std::vector<CameraChoice> starts_;  ///< cameras of the start, by document
+  gl::ShaderLibrary shaders_;
   FileWatch shaderWatch_;
   std::filesystem::path settingsFolder_;
   std::string title_;
