@@ -292,8 +292,8 @@ void FrameRenderer::renderIds() noexcept {
 }
 
 void FrameRenderer::setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms) {
-  JAL_CHECK(first <= buffers_.objectCount());
-  JAL_CHECK(transforms.size() <= buffers_.objectCount() - first);
+  JAL_CHECK(first <= buffers_.transformCount());
+  JAL_CHECK(transforms.size() <= buffers_.transformCount() - first);
   buffers_.transforms().write(sizeof(gpu::Transform) * first, std::as_bytes(transforms));
 }
 
