@@ -38,7 +38,7 @@ float fadeShare(uint entry) {
 /// @param entry  of the instance list
 void emitVertex(uint entry, vec3 position, vec3 normal, vec2 uv, vec4 color, uint material) {
   uint objectId = entry & kInstanceObject;
-  Transform transform = transforms[objectId];
+  Transform transform = transforms[objects[objectId].transform];
   fragment.positionWorld = transformPoint(transform, position);
 #ifdef JAL_OPACITY
   // A coarser level may lie in front of the true surface: move it away from the eye, where it covers the same pixels.

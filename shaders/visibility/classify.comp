@@ -85,8 +85,9 @@ float lvBeforeTest(uint id, uint verdict, bool history, bool remembered, bool me
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount) return;
-  Transform transform = transforms[id];
-  Chain chain = chains[objects[id].chain];
+  Object object = objects[id];
+  Transform transform = transforms[object.transform];
+  Chain chain = chains[object.chain];
   BoxOnScreen box = boxOnScreen(transform, chain.boundsMinObject.xyz, chain.boundsMaxObject.xyz, cullView.clipFromWorld,
                                 vec2(cullView.viewportWidth, cullView.viewportHeight));
   bool hasRect = !box.outside && !box.crossesNear;

@@ -42,8 +42,14 @@ class Hash {
 void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& path, const Plan& plan) {
   hash.values(scene.vertices);
   hash.values(scene.indices);
-  hash.values(scene.transforms);
-  hash.values(scene.objects);
+  hash.value(scene.objects.size());
+  for (const gpu::Object& object : scene.objects)
+    hash.value(scene.transforms[object.transform]);
+  hash.value(scene.objects.size());
+  for (const gpu::Object& object : scene.objects) {
+    hash.value(object.chain);
+    hash.value(object.owner);
+  }
   hash.values(scene.chains);
   hash.values(scene.lods);
   hash.values(scene.materials);

@@ -56,8 +56,8 @@ void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
 }
 
 void FrameRenderer::setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms) {
-  JAL_CHECK(first <= parts_->scene.transforms.size());
-  JAL_CHECK(transforms.size() <= parts_->scene.transforms.size() - first);
+  JAL_CHECK(first <= parts_->buffers.transformCount());
+  JAL_CHECK(transforms.size() <= parts_->buffers.transformCount() - first);
   parts_->buffers.transforms().write(sizeof(gpu::Transform) * first, std::as_bytes(transforms));
 }
 

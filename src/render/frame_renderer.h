@@ -61,7 +61,8 @@ class FrameRenderer {
 
   /// Another size; history is forgotten. @pre both sides in [1, 16384] (checked)
   void resize(std::uint32_t width, std::uint32_t height);
-  /// Moves objects: rewrites the transforms [first, first + transforms.size()). @pre in range (checked)
+  /// Moves objects: rewrites the transforms [first, first + transforms.size()) of SceneData::transforms. An index is
+  /// that of a transform (gpu::Object::transform), not of an object. @pre in range (checked)
   void setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms);
   /// gpu::Transform [SceneData::transforms.size()], for applications that write it on the GPU.
   gl::Buffer& transforms();

@@ -155,8 +155,9 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits) {
 
 Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
                           const LastFrame& last, const ImportanceMask* importance) {
-  const gpu::Transform& transform = scene.transforms[objectIndex];
-  const gpu::Chain& chain = scene.chains[scene.objects[objectIndex].chain];
+  const gpu::Object& object = scene.objects[objectIndex];
+  const gpu::Transform& transform = scene.transforms[object.transform];
+  const gpu::Chain& chain = scene.chains[object.chain];
   const BoxOnScreen box =
       boxOnScreen(transform, boundsOf(chain), view.clipFromWorld, glm::vec2(view.viewportWidth, view.viewportHeight));
   const bool hasRect = !box.outside && !box.crossesNear;

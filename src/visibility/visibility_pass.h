@@ -18,7 +18,7 @@ namespace jalousie::visibility {
 
 /// The scene's buffers, owned by the caller, bound as long as a pass runs.
 struct SceneBindings {
-  const gl::Buffer* transforms = nullptr;  ///< gpu::Transform [objectCount]
+  const gl::Buffer* transforms = nullptr;  ///< gpu::Transform, by Object::transform
   const gl::Buffer* objects = nullptr;     ///< gpu::Object [objectCount]
   const gl::Buffer* chains = nullptr;      ///< gpu::Chain
   const gl::Buffer* lods = nullptr;        ///< gpu::Lod

@@ -16,7 +16,7 @@ namespace {
 
 Aabb boundsWorld(const scene::SceneData& scene, std::size_t object) {
   const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
-  return transformed(scene::worldFromObject(scene.transforms[object]),
+  return transformed(scene::worldFromObject(scene.transforms[scene.objects[object].transform]),
                      Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
 }
 
@@ -108,13 +108,14 @@ std::function<scene::Camera(std::uint32_t frame)> tour(const scene::SceneData& s
 std::function<void(std::uint32_t frame, std::span<gpu::Transform>)> swingObjects(const scene::SceneData& scene,
                                                                                  std::uint32_t stride) {
   return [&scene, stride](std::uint32_t frame, std::span<gpu::Transform> transforms) {
-    for (std::size_t i = 0; i < transforms.size(); i += stride) {
+    for (std::size_t i = 0; i < scene.objects.size(); i += stride) {
+      const gpu::uint transform = scene.objects[i].transform;
       const float phase = 0.9F * static_cast<float>(frame) + static_cast<float>(i);
       const float reach = boundsWorld(scene, i).diagonal();
       const glm::vec3 swing = reach * glm::vec3(std::sin(phase), 0.3F * std::cos(1.3F * phase), std::cos(phase));
-      const glm::mat4 rest = scene::worldFromObject(scene.transforms[i]);
-      transforms[i] = scene::makeTransform(glm::translate(glm::mat4(1.0F), swing) *
-                                           glm::rotate(rest, phase, glm::vec3(0.0F, 1.0F, 0.0F)));
+      const glm::mat4 rest = scene::worldFromObject(scene.transforms[transform]);
+      transforms[transform] = scene::makeTransform(glm::translate(glm::mat4(1.0F), swing) *
+                                                   glm::rotate(rest, phase, glm::vec3(0.0F, 1.0F, 0.0F)));
     }
   };
 }
