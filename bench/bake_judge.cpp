@@ -1,10 +1,11 @@
-// bake_judge: how far meshes of any tool lie from a reference, by the same yardstick for all.
+// bake_judge: measures how far meshes of any tool lie from a reference mesh, with the same measure for all of them.
 //
 //   bake_judge REFERENCE FILE[@LOD]...      prints one JSON object per FILE
 //
-// Random points (200,000 each way, fixed seed), not the baker's own: distances as % of the reference's diagonal, mean
-// of the two one-sided means, the larger maximum, and the mean angle between interpolated shading normals in degrees.
-// Meshes are taken in object space, all meshes of the scene together; a file with MSFT_lod gives level LOD (default 0).
+// The measure uses 200,000 random points each way (fixed seed), which are not the points that the baker measures with.
+// It reports distances in % of the reference's diagonal (mean of the two one-sided means, larger one of the two maxima)
+// and the mean angle between interpolated shading normals in degrees. All meshes of a scene are taken together, in
+// object space. LOD chooses a level of a file with MSFT_lod; default 0.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,17 +64,17 @@ WedgeMesh load(const std::string& name) {
     int node = static_cast<int>(n);
     if (lod > 0) {
       const std::vector<int> lower = asset::lodNodes(model, node);
-      if (lower.size() < lod) throw Error(ErrorCode::kUsage, fmt::format("there is no level {}", lod), file);
+      if (lower.size() < lod) throw Error(ErrorCode::kUsage, fmt::format("has no level {}", lod), file);
       node = lower[lod - 1];
     }
     const auto mesh = static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh);
     append(whole, bake::makeWedges(bake::readCombinedMesh(model, model.meshes[mesh], {})));
   }
-  if (whole.corners.empty()) throw Error(ErrorCode::kMalformed, "there is no triangle", file);
+  if (whole.corners.empty()) throw Error(ErrorCode::kMalformed, "has no triangles", file);
   return whole;
 }
 
-/// Random points in proportion to area.
+/// kSamples random points, uniformly distributed over the area.
 std::vector<bake::SurfaceSample> randomSamples(const WedgeMesh& mesh, std::uint64_t seed) {
   std::vector<double> cumulative(mesh.triangles());
   double area = 0.0;
@@ -97,6 +98,7 @@ std::vector<bake::SurfaceSample> randomSamples(const WedgeMesh& mesh, std::uint6
   return samples;
 }
 
+/// One-sided distances from one mesh to another, in object-space length, and the mean angle between normals.
 struct Side {
   double max = 0.0;
   double mean = 0.0;
@@ -153,7 +155,9 @@ void run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "Usage: bake_judge REFERENCE FILE[@LOD]...\n");
+    fmt::print(stderr,
+               "usage: bake_judge REFERENCE FILE[@LOD]...\n"
+               "example: bake_judge dragon.ply dragon.glb@1 dragon.glb@2\n");
     return 2;
   }
   try {

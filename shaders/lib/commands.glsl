@@ -11,10 +11,10 @@ struct Ranges {
 };
 
 /// Solid triangles of a mirrored object would be culled by their winding, so they go to the sheet list.
-Ranges rangesOf(Chain chain, uint bin, uint detail) {
+Ranges rangesOf(Chain chain, uint bin) {
   uint level = bin >> 1u;
   bool mirrored = (bin & 1u) != 0u;
-  bool patches = detail == kDetailTessellation;
+  bool patches = hasTrait(kTraitPatches);
   Ranges ranges;
   ranges.firstList = patches && level > 0u ? kListSolidPatch : kListSolid;
   bool exists = patches ? level < 2u : level < chain.lodCount;

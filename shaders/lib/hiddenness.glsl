@@ -55,12 +55,12 @@ float chordHiddenness(BlockSums s, float texelPixels) {
 }
 
 /// lv of a block that is neither hidden nor open.
-float blockLv(BlockSums s, uint measure, float texelPixels) {
+float blockLv(BlockSums s, float texelPixels) {
   float covered = s.covered / float(s.width * s.height);
-  if (measure == kLvThesis) return thesisLv(s);
-  float h = measure == kLvSpectral ? covered * spectralFineness(s)
-            : measure == kLvChord  ? chordHiddenness(s, texelPixels)
-            : measure == kLvCoverage || measure == kLvPixels ? covered  // pixels: not counted yet
-                                     : 0.0;
+  if (hasTrait(kTraitLvThesis)) return thesisLv(s);
+  float h = hasTrait(kTraitLvSpectral)                  ? covered * spectralFineness(s)
+            : hasTrait(kTraitLvChord)                   ? chordHiddenness(s, texelPixels)
+            : hasTrait(kTraitLvCoverage | kTraitLvPixels) ? covered  // pixels: not counted yet
+                                                          : 0.0;
   return 2.0 * h - 1.0;
 }

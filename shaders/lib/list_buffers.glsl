@@ -1,6 +1,7 @@
 // Buffer blocks of the kernels that build a draw list.
 
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
+#include "lib/traits.glsl"
 layout(std140, binding = kBindingListView) uniform ListViewBlock { ListView listView; };
 layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chains[]; };
 layout(std430, binding = kBindingLods) readonly buffer LodBlock { Lod lods[]; };

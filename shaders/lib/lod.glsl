@@ -105,7 +105,7 @@ void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, fl
   uint finest = relaxedLod(chain, pixelsPerUnit, tau / cullView.hysteresis, relaxed, share);
   uint coarsest = max(finest, relaxedLod(chain, pixelsPerUnit, tau * cullView.hysteresis, relaxed, share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && cullView.detail == kDetailDiscrete && cullView.fadeFrames > 0u)
+  if (seen && state.lod != last.lod && !hasTrait(kTraitPatches) && cullView.fadeFrames > 0u)
     mark |= (cullView.fadeFrames << kMarkFadeShift) | (last.lod > state.lod ? kMarkFromCoarser : 0u);
 }
 
@@ -113,14 +113,14 @@ void followBudget(Chain chain, float pixelsPerUnit, float tau, float relaxed, fl
 /// @param last  of the frame before, where mark says kMarkKnown or kMarkRemembered
 void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, ObjectState last, inout ObjectState state,
                   inout uint mark) {
-  bool follows = cullView.lodRule == kLodPixelError || cullView.lodRule == kLodLvError;
-  bool calm = follows && (mark & kMarkRemembered) != 0u;
+  bool followsError = hasTrait(kTraitFollowsError), followsLv = hasTrait(kTraitFollowsLv);
+  bool calm = followsError && (mark & kMarkRemembered) != 0u;
   if (!calm) mark &= ~kMarkFadeMask;  // a fade that began in calm frames ends with them
-  if (cullView.lodRule == kLodLinear) {
+  if (followsLv && !followsError) {
     state.lod = linearLod(state.lv, chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
-  } else if (follows) {
-    float relaxed = cullView.lodRule == kLodLvError ? relaxedBudget(state.lv, cullView.relax) : 1.0;
+  } else if (followsError) {
+    float relaxed = followsLv ? relaxedBudget(state.lv, cullView.relax) : 1.0;
     float share = visibleShare(state.lv);
     if (calm) {
       followBudget(chain, pixelsPerUnit, tau, min(relaxed, kMostCalmRelaxed), max(share, kLeastCalmShare), seen,
@@ -131,6 +131,6 @@ void chooseDetail(Chain chain, float pixelsPerUnit, float tau, bool seen, Object
                                                   cullView.maxTessellation);
     }
   }
-  bool same = cullView.detail == kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
+  bool same = hasTrait(kTraitPatches) ? state.tessellation == last.tessellation : state.lod == last.lod;
   if ((mark & kMarkKnown) != 0u && !same) mark |= kMarkSwitched;
 }

@@ -2,33 +2,10 @@
 #ifndef JALOUSIE_SHARED_FRAME_STRUCTS_H
 #define JALOUSIE_SHARED_FRAME_STRUCTS_H
 
+#include "shared/traits.h"
 #include "shared/types.h"
 
 JAL_SHARED_BEGIN
-
-const uint kCullNone = 0u;      // every object is drawn
-const uint kCullFrustum = 1u;
-const uint kCullHom = 2u;       // hierarchical occlusion map (Zhang 1997; thesis ch. 3)
-const uint kCullHomDepth = 3u;  // the same map, where a texel covers only what lies behind it
-const uint kCullHiz = 4u;       // two phases against the depth of what was visible last frame
-
-const uint kLodFinest = 0u;
-const uint kLodLinear = 1u;      // thesis 4.1.3: LV mapped linearly onto the levels
-const uint kLodPixelError = 2u;  // coarsest level whose error projects below tau
-const uint kLodLvError = 3u;     // the same, with tau relaxed by how hidden the object is
-
-// Measures of hiddenness h in [0, 1] (docs/level_of_visibility.md). An object's lv is 2 h - 1, except that the thesis'
-// own may lie below -1.
-const uint kLvNone = 0u;
-const uint kLvThesis = 1u;
-const uint kLvSpectral = 2u;
-const uint kLvChord = 3u;
-const uint kLvCoverage = 4u;
-const uint kLvPixels = 5u;  // counted, not estimated: what of its rectangle showed it in the last frame
-const uint kLvCount = 6u;
-
-const uint kDetailDiscrete = 0u;
-const uint kDetailTessellation = 1u;
 
 /// Culling camera and policy; std140 uniform block.
 struct CullView {
@@ -37,23 +14,20 @@ struct CullView {
   uint viewportWidth;      // pixels
   uint viewportHeight;
   uint objectCount;
-  uint cullMode;           // kCull...
-  uint lodRule;            // kLod...
-  uint detail;             // kDetail...
+  uint traits;             // kTrait...
   uint analyse;            // 1: LV is wanted even where the LOD rule does not need it
   uint mapLevels;          // levels of the occlusion map and, counted from the screen, of the depth pyramid
   float occluderDistance;  // world units; nearer objects are occluders (thesis 3.2)
   float cullThreshold;     // opacity from which a texel hides, (0, 1]; 1 is conservative
   uint maxTessellation;    // finest level of the patch path, 1..kMaxTessellationLevel
   float focalPixels;       // viewportHeight / (2 tan(fovY / 2))
-  float tau;               // pixels of error that kLodPixelError allows
+  float tau;               // screen-space error that kTraitFollowsError allows, pixels
   float occluderTau;       // the same for the levels drawn into the occlusion map
   float minPixels;         // objects whose rectangle has a smaller area are not drawn; 0: none
   uint importanceLevels;   // levels of the importance mask; 0: no mask
   uint importanceWidth;    // texels of its finest level
   uint importanceHeight;
-  uint lvMeasure;          // kLv...
-  float relax;             // kLodLvError: tau grows to at most tau * (1 + relax)
+  float relax;             // with both kTraitFollowsError and kTraitFollowsLv tau grows to at most tau * (1 + relax)
   uint calm;               // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
   uint countsValid;        // 1: the pixels of the last frame were counted
   uint measureCover;       // 1: analyse.comp fills ScreenBox.cover, for the views
@@ -61,9 +35,8 @@ struct CullView {
   uint fadeFrames;         // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
   uint reserved0;
   uint reserved1;
-  uint reserved2;
 };
-JAL_ASSERT_SIZE(CullView, 192)
+JAL_ASSERT_SIZE(CullView, 176)
 
 /// One draw list; std140 uniform block, written once.
 struct ListView {
@@ -108,7 +81,7 @@ struct DrawView {
   vec4 cameraWorld;        // xyz position
   vec4 lightWorld;         // xyz unit vector towards the key light
   uint view;               // kView...
-  uint detail;             // kDetail...
+  uint patches;            // 1: draws tessellated patches
   uint mapLevel;           // level shown by kViewOcclusion
   float phongAlpha;        // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
   uint viewportWidth;

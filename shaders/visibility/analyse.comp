@@ -63,7 +63,7 @@ BlockSums sumBlock(uvec4 pixels, vec4 rect, uint level, float nearestDepth) {
   uvec2 spanY = blockSpan(pixels.y, pixels.w, rect.y, rect.w, level);
   uint cosinesX = 16u * (spanX.y - 1u);
   uint cosinesY = 16u * (spanY.y - 1u);
-  bool wantsChord = cullView.lvMeasure == kLvChord;
+  bool wantsChord = hasTrait(kTraitLvChord);
   BlockSums sums;
   sums.width = spanX.y;
   sums.height = spanY.y;
@@ -148,7 +148,7 @@ void main() {
   bool remembered = (mark & kMarkRemembered) != 0u;
   bool hidden = range.x >= cullView.cullThreshold;
   bool open = !hidden && range.y <= 0.0;
-  bool waitsForCount = cullView.lvMeasure == kLvPixels && !hidden;
+  bool waitsForCount = hasTrait(kTraitLvPixels) && !hidden;
   float lv = hidden ? 1.0 : -1.0;
   bool wantsBlock = !hidden && !counted && cullView.analyse != 0u;
 #ifndef JAL_DEPTH_AWARE
@@ -158,7 +158,7 @@ void main() {
     uint level = lom > kBlockLevels ? lom - kBlockLevels : 0u;
     BlockSums sums = sumBlock(pixels, rect, level, box.nearestDepth);
     open = sums.covered <= 0.0;
-    if (!open) lv = blockLv(sums, cullView.lvMeasure, float(1u << level));
+    if (!open) lv = blockLv(sums, float(1u << level));
   }
   if (!counted) state.lv = remembered ? smoothLv(last.lv, waitsForCount ? last.lv : lv) : lv;
 
@@ -172,8 +172,7 @@ void main() {
   } else {
     mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
   }
-  bool followsLv = cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError;
-  if (!early && !hidden && !counted && followsLv)
+  if (!early && !hidden && !counted && hasTrait(kTraitFollowsLv))
     chooseDetail(chains[objects[id].chain], box.pixelsPerUnit, box.tau, known, last, state, mark);
   marks[id] = mark;
   states[id] = state;

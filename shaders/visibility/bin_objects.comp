@@ -25,16 +25,16 @@ shared uint members;
 shared uint fadingMembers;
 
 /// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
-bool drawsOcclusionMap() { return listView.phase == kMarkEarly && cullView.cullMode != kCullHiz; }
+bool drawsOcclusionMap() { return listView.phase == kMarkEarly && !hasTrait(kTraitTwoPhases); }
 
 uint binOf(uint id, Chain chain) {
   uint mark = marks[id];
   if ((mark & listView.phase) == 0u) return kNoBin;
   uint level = states[id].lod;
   bool sheet = (mark & kMarkMirrored) != 0u;
-  if (drawsOcclusionMap() && cullView.detail == kDetailDiscrete) {
+  if (drawsOcclusionMap() && !hasTrait(kTraitPatches)) {
     level = pixelErrorLod(chain, boxes[id].pixelsPerUnit, cullView.occluderTau);
-  } else if (cullView.detail == kDetailTessellation) {
+  } else if (hasTrait(kTraitPatches)) {
     level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
   } else {
     sheet = sheet || fadeFrames(mark) > 0u;
@@ -46,7 +46,7 @@ uint binOf(uint id, Chain chain) {
 uint fadingBinOf(uint id) {
   uint mark = marks[id];
   bool fades = fadeFrames(mark) > 0u && (mark & listView.phase) != 0u && !drawsOcclusionMap() &&
-               cullView.detail == kDetailDiscrete;
+               !hasTrait(kTraitPatches);
   return fades ? 2u * fadingLod(states[id].lod, mark) + 1u : kNoBin;
 }
 

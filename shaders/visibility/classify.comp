@@ -16,18 +16,16 @@
 #include "lib/lod.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
-/// Pixels that showed each object when they were last counted (kLvPixels).
+/// Pixels that showed each object when they were last counted (kTraitLvPixels).
 layout(std430, binding = kBindingPixelCounts) readonly buffer PixelCountBlock { uint pixelCounts[]; };
 
-bool selectsOccluders() { return cullView.cullMode == kCullHom || cullView.cullMode == kCullHomDepth; }
-
 uint classify(BoxOnScreen box, float importance) {
-  if (cullView.cullMode == kCullNone) return kVerdictPending;
+  if (!hasTrait(kTraitCulls)) return kVerdictPending;
   if (box.outside) return kVerdictOutside;
-  if (box.crossesNear && !selectsOccluders()) return kVerdictNear;
+  if (box.crossesNear && !hasTrait(kTraitUsesMap)) return kVerdictNear;
   vec2 size = box.rect.zw - box.rect.xy;
   if (!box.crossesNear && size.x * size.y * importance < cullView.minPixels) return kVerdictSmall;
-  if (selectsOccluders() &&
+  if (hasTrait(kTraitUsesMap) &&
       distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld) < cullView.occluderDistance)
     return kVerdictOccluder;
   return box.crossesNear ? kVerdictNear : kVerdictPending;
@@ -45,25 +43,25 @@ bool isExpectedVisible(uint lastMarks, vec4 rect) {
 uint phasesOf(uint verdict, bool expectedVisible) {
   bool drawn = verdict != kVerdictOutside && verdict != kVerdictSmall;
   if (!drawn) return 0u;
-  if (cullView.cullMode == kCullHiz) {
+  if (hasTrait(kTraitTwoPhases)) {
     if (verdict == kVerdictNear) return kMarkEarly | kMarkVisible | kMarkTested;
     return expectedVisible ? kMarkEarly | kMarkVisible | kMarkTested : kMarkTested;
   }
   if (verdict == kVerdictOccluder) return kMarkEarly | kMarkLate | kMarkVisible;
-  return verdict == kVerdictPending && selectsOccluders() ? 0u : kMarkLate | kMarkVisible;
+  return verdict == kVerdictPending && hasTrait(kTraitUsesMap) ? 0u : kMarkLate | kMarkVisible;
 }
 
 vec4 wholeScreen() { return vec4(0.0, 0.0, cullView.viewportWidth, cullView.viewportHeight); }
 
 /// Whether the detail of what is tested follows from a block that only analyse.comp looks at.
 bool followsBlock() {
-  return (cullView.lodRule == kLodLinear || cullView.lodRule == kLodLvError) && cullView.lvMeasure != kLvPixels;
+  return hasTrait(kTraitFollowsLv) && !hasTrait(kTraitLvPixels);
 }
 
 /// Whether pixelCounts say something about an object: not if it came into the picture after they were made.
 bool isCounted(uint lastMarks) {
   bool drawn = (lastMarks & (kMarkEarly | kMarkLate)) != 0u;
-  return cullView.lvMeasure == kLvPixels && drawn && (cullView.countsValid != 0u || (lastMarks & kMarkCounted) != 0u);
+  return hasTrait(kTraitLvPixels) && drawn && (cullView.countsValid != 0u || (lastMarks & kMarkCounted) != 0u);
 }
 
 /// What is known of an object's visibility before this frame's test.
@@ -77,11 +75,11 @@ float lvBeforeTest(uint id, uint verdict, bool history, bool remembered, bool me
     float lv = pixelsLv(float(pixelCounts[id]), size.x * size.y);
     return measured ? smoothLv(last.lv, lv) : lv;
   }
-  if (remembered && cullView.lvMeasure == kLvPixels) {
+  if (remembered && hasTrait(kTraitLvPixels)) {
     bool inView = verdict != kVerdictOutside && verdict != kVerdictSmall;
     return inView ? last.lv : forgottenLv(last.lv);
   }
-  return measuredLater && cullView.cullMode == kCullHiz ? last.lv : -1.0;
+  return measuredLater && hasTrait(kTraitTwoPhases) ? last.lv : -1.0;
 }
 
 void main() {
@@ -111,12 +109,12 @@ void main() {
               (known ? kMarkKnown | (lastMarks & kMarkFadeMask) : 0u) | (counted ? kMarkCounted : 0u) |
               (cullView.calm != 0u ? kMarkCalm : 0u) | (remembered ? kMarkRemembered : 0u) |
               (cullView.calm != 0u && (counted || measured) ? kMarkMeasured : 0u);
-  bool measuredLater = verdict == kVerdictPending && cullView.cullMode >= kCullHom;
+  bool measuredLater = verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion);
   bool history = known || remembered;
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation,
                                   lvBeforeTest(id, verdict, history, remembered, measured, counted, measuredLater,
                                                hasRect ? rect : wholeScreen(), last));
-  if (measuredLater && history && selectsOccluders() && followsBlock()) {
+  if (measuredLater && history && hasTrait(kTraitUsesMap) && followsBlock()) {
     state = ObjectState(verdict, last.lod, last.tessellation, last.lv);  // analyse.comp goes on from here
   } else {
     bool seen = known && (!counted || pixelCounts[id] > 0u);

@@ -10,6 +10,7 @@
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
+#include "lib/traits.glsl"
 layout(std430, binding = kBindingObjects) readonly buffer ObjectBlock { Object objects[]; };
 layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chains[]; };
 layout(std430, binding = kBindingLods) readonly buffer LodBlock { Lod lods[]; };
@@ -27,14 +28,14 @@ uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 
 void countObject(uint id) {
   ObjectState state = states[id];
   uint mark = marks[id];
-  bool twoPhases = cullView.cullMode == kCullHiz;
+  bool twoPhases = hasTrait(kTraitTwoPhases);
   atomicAdd(groupCounters[kCounterVerdicts + state.verdict], 1u);
   bool early = twoPhases && (mark & kMarkEarly) != 0u;
   bool late = (mark & kMarkLate) != 0u;
   if (!early && !late) return;
   atomicAdd(groupCounters[early ? kCounterEarly : kCounterLate], 1u);
   Chain chain = chains[objects[id].chain];
-  bool patches = cullView.detail == kDetailTessellation;
+  bool patches = hasTrait(kTraitPatches);
   uint triangles = patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
                            : lods[chain.firstLod + state.lod].triangleCount;
   if ((mark & kMarkSwitched) != 0u) atomicAdd(groupCounters[kCounterSwitches], 1u);

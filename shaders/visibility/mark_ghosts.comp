@@ -9,6 +9,7 @@
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
+#include "lib/traits.glsl"
 layout(std430, binding = kBindingObjects) readonly buffer ObjectBlock { Object objects[]; };
 layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chains[]; };
 layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
@@ -20,7 +21,7 @@ void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount) return;
   uint mark = marks[id];
-  uint drawn = mark & (cullView.cullMode == kCullHiz ? kMarkEarly | kMarkLate : kMarkLate);
+  uint drawn = mark & (hasTrait(kTraitTwoPhases) ? kMarkEarly | kMarkLate : kMarkLate);
   ghostMarks[id] = drawn != 0u ? 0u : kMarkLate | (mark & kMarkMirrored);
   ghostStates[id] = ObjectState(states[id].verdict, chains[objects[id].chain].lodCount - 1u, 1u, 1.0);
 }

@@ -27,7 +27,7 @@ void place(Tile tile, uint slot, uint entry) {
   if (index >= listView.capacity) return;  // counted by write_commands.comp
   instances[index] = entry;
 #ifdef JAL_PER_OBJECT
-  Ranges ranges = rangesOf(chain, bin, cullView.detail);
+  Ranges ranges = rangesOf(chain, bin);
   for (uint k = 0u; k < kListsPerDetail; ++k)
     commands[(ranges.firstList + k) * listView.commandCapacity + index] = DrawCommand(
         ranges.count[k], ranges.count[k] > 0u ? 1u : 0u, ranges.firstIndex[k], ranges.baseVertex, index);

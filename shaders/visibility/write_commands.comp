@@ -55,7 +55,7 @@ void main() {
       uint entry = entryIndex(chain, bin.bin, 0u);
       first = min(offsetOf(entry), listView.capacity);
       instanceCount = min(offsetOf(entry + chain.tileCount), listView.capacity) - first;
-      ranges = rangesOf(chain, bin.bin, cullView.detail);
+      ranges = rangesOf(chain, bin.bin);
       uint flags = 0u;
       for (uint k = 0u; k < kListsPerDetail; ++k)
         flags |= (instanceCount > 0u && ranges.count[k] > 0u ? 1u : 0u) << (10u * k);

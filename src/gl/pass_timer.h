@@ -4,25 +4,13 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
+#include "core/timing.h"
 #include "gl/debug_log.h"
 #include "gl/handle.h"
 
 namespace jalousie::gl {
-
-struct PassTime {
-  std::string_view name;  ///< a string literal
-  double ms = 0.0;
-};
-
-/// How passes are timed.
-enum class Timing {
-  kOff,   ///< costs nothing but the debug groups
-  kWall,  ///< glFinish and wall time around each pass: the only timing that tells the truth on a software renderer
-  kGpu,   ///< timestamps on the GPU: passes overlap as they do without a timer
-};
 
 /// Opens a debug group per pass and times it. No allocation after the first timed frame.
 class PassTimer {

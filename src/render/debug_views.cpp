@@ -11,8 +11,8 @@ constexpr float kLineOffset = 1.0F;
 void drawEverything(DrawKind kind, const DrawnFrame& frame, const DrawPass& pass, SceneBuffers& buffers) {
   const visibility::ObjectBuffers decided = frame.visibility->decided();
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {
-    if (frame.twoPhases) pass.draw(kind, part, frame.view.detail, buffers, *frame.early, decided);
-    pass.draw(kind, part, frame.view.detail, buffers, *frame.late, decided);
+    if (frame.twoPhases) pass.draw(kind, part, buffers, *frame.early, decided);
+    pass.draw(kind, part, buffers, *frame.late, decided);
   }
 }
 
@@ -74,7 +74,7 @@ void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffer
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   const visibility::ObjectBuffers decided = ghosts_->decided(*frame.visibility);
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
-    pass.draw(DrawKind::kShaded, part, frame.view.detail, buffers, ghosts_->list(), decided);
+    pass.draw(DrawKind::kShaded, part, buffers, ghosts_->list(), decided);
   glDisable(GL_BLEND);
 }
 

@@ -31,10 +31,11 @@ DrawPass::DrawPass(const gl::Capabilities& capabilities)
 
 void DrawPass::setView(const gpu::DrawView& view) {
   view_.writeValue(view);
+  patches_ = view.patches != 0;
 }
 
-void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene,
-                    const visibility::DrawList& list, const visibility::ObjectBuffers& decided) const {
+void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
+                    const visibility::ObjectBuffers& decided) const {
   if (scene.objectCount() == 0) return;
   if (part == DrawPart::kBlended && !scene.usesBlending()) return;
   scene.bindForDrawing(list.instances());
@@ -45,7 +46,7 @@ void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
   glPatchParameteri(GL_PATCH_VERTICES, 3);
   const Programs& programs = kind == DrawKind::kShaded ? shaded_ : kind == DrawKind::kOpacity ? opacity_ : id_;
-  const unsigned paths = detail == gpu::kDetailTessellation && list.options().patches ? 2 : 1;
+  const unsigned paths = patches_ && list.options().patches ? 2 : 1;
   for (unsigned path = 0; path < paths; ++path) {
     const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
     const unsigned firstList = gpu::kListsPerDetail * path;

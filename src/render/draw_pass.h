@@ -26,10 +26,10 @@ class DrawPass {
   /// Draw parameters and count draws are used where the capabilities name them; results are the same without.
   explicit DrawPass(const gl::Capabilities& capabilities);
 
-  /// Uploads the drawing camera for all programs.
+  /// Uploads the drawing camera for all programs, and takes the detail path of the draws that follow from it.
   void setView(const gpu::DrawView& view);
   /// Draws one part of a list's objects into the bound framebuffer.
-  void draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene, const visibility::DrawList& list,
+  void draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
             const visibility::ObjectBuffers& decided) const;
   /// Outlines the rectangle of every object. @param decided  of the frame
   void drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const;
@@ -54,6 +54,7 @@ class DrawPass {
   gl::Program boxes_;
   gl::VertexArray noInput_;
   gl::Buffer view_;
+  bool patches_ = false;  ///< gpu::DrawView::patches of the last setView()
 };
 
 }  // namespace jalousie::render

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "asset/scene_file.h"
+#include "asset/scene_types.h"
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
 #include "scene/texture_layers.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "policy/traits.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
@@ -37,13 +38,9 @@ unsigned planesBeyond(const glm::vec4& clip, const glm::vec3& margin) {
          (clip.z < -margin.z ? 16U : 0U) | (clip.z > clip.w + margin.z ? 32U : 0U);
 }
 
-bool selectsOccluders(gpu::uint cullMode) {
-  return cullMode == gpu::kCullHom || cullMode == gpu::kCullHomDepth;
-}
-
 /// Whether the detail of what is tested follows from a block that is only looked at then.
 bool followsBlock(const gpu::CullView& view) {
-  return (view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError) && view.lvMeasure != gpu::kLvPixels;
+  return has(view.traits, gpu::kTraitFollowsLv) && !has(view.traits, gpu::kTraitLvPixels);
 }
 
 /// What the last frame left of an object.
@@ -61,11 +58,11 @@ float lvBeforeTest(const gpu::CullView& view, gpu::uint verdict, const History& 
     const float lv = pixelsLv(static_cast<float>(last.pixels), (rect.z - rect.x) * (rect.w - rect.y));
     return history.measured ? smoothLv(last.state.lv, lv) : lv;
   }
-  if (history.remembered && view.lvMeasure == gpu::kLvPixels) {
+  if (history.remembered && has(view.traits, gpu::kTraitLvPixels)) {
     const bool inView = verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall;
     return inView ? last.state.lv : forgottenLv(last.state.lv);
   }
-  return measuredLater && view.cullMode == gpu::kCullHiz ? last.state.lv : -1.0F;
+  return measuredLater && has(view.traits, gpu::kTraitTwoPhases) ? last.state.lv : -1.0F;
 }
 
 Aabb boundsOf(const gpu::Chain& chain) {
@@ -129,12 +126,12 @@ bool isMirrored(const gpu::Transform& t) {
 }
 
 gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance) {
-  if (view.cullMode == gpu::kCullNone) return gpu::kVerdictPending;
+  if (!has(view.traits, gpu::kTraitCulls)) return gpu::kVerdictPending;
   if (box.outside) return gpu::kVerdictOutside;
-  if (box.crossesNear && !selectsOccluders(view.cullMode)) return gpu::kVerdictNear;
+  if (box.crossesNear && !has(view.traits, gpu::kTraitUsesMap)) return gpu::kVerdictNear;
   const glm::vec2 size(box.rect.z - box.rect.x, box.rect.w - box.rect.y);
   if (!box.crossesNear && size.x * size.y * importance < view.minPixels) return gpu::kVerdictSmall;
-  if (selectsOccluders(view.cullMode) &&
+  if (has(view.traits, gpu::kTraitUsesMap) &&
       distanceToBox(glm::vec3(view.cameraWorld), box.boundsWorld) < view.occluderDistance)
     return gpu::kVerdictOccluder;
   return box.crossesNear ? gpu::kVerdictNear : gpu::kVerdictPending;
@@ -146,14 +143,14 @@ bool isExpectedVisible(gpu::uint lastMarks, const glm::vec4& rect, const gpu::Cu
   return (rect.z - rect.x) * (rect.w - rect.y) >= gpu::kLargeShare * pixels;
 }
 
-gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint cullMode) {
+gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits) {
   if (verdict == gpu::kVerdictOutside || verdict == gpu::kVerdictSmall) return 0;
-  if (cullMode == gpu::kCullHiz) {
+  if (has(traits, gpu::kTraitTwoPhases)) {
     const bool early = verdict == gpu::kVerdictNear || expectedVisible;
     return early ? gpu::kMarkEarly | gpu::kMarkVisible | gpu::kMarkTested : gpu::kMarkTested;
   }
   if (verdict == gpu::kVerdictOccluder) return gpu::kMarkEarly | gpu::kMarkLate | gpu::kMarkVisible;
-  return verdict == gpu::kVerdictPending && selectsOccluders(cullMode) ? 0 : gpu::kMarkLate | gpu::kMarkVisible;
+  return verdict == gpu::kVerdictPending && has(traits, gpu::kTraitUsesMap) ? 0 : gpu::kMarkLate | gpu::kMarkVisible;
 }
 
 Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
@@ -175,20 +172,20 @@ Classified classifyObject(const scene::SceneData& scene, const gpu::CullView& vi
   result.box = {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, tau, gpu::kCoverOpen};
   const gpu::uint verdict = classify(box, view, weight);
   const bool known = (last.marks & (gpu::kMarkEarly | gpu::kMarkLate)) != 0;
-  const bool counted =
-      view.lvMeasure == gpu::kLvPixels && known && (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
+  const bool counted = has(view.traits, gpu::kTraitLvPixels) && known &&
+                       (view.countsValid != 0 || (last.marks & gpu::kMarkCounted) != 0);
   const bool remembered = view.calm != 0 && (last.marks & gpu::kMarkCalm) != 0;
   const bool measured = remembered && (last.marks & gpu::kMarkMeasured) != 0;
-  result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.cullMode) |
+  result.marks = phasesOf(verdict, isExpectedVisible(last.marks, rect, view), view.traits) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) |
                  (known ? gpu::kMarkKnown | (last.marks & gpu::kMarkFadeMask) : 0) | (counted ? gpu::kMarkCounted : 0) |
                  (view.calm != 0 ? gpu::kMarkCalm : 0) | (remembered ? gpu::kMarkRemembered : 0) |
                  (view.calm != 0 && (counted || measured) ? gpu::kMarkMeasured : 0);
-  const bool measuredLater = verdict == gpu::kVerdictPending && view.cullMode >= gpu::kCullHom;
+  const bool measuredLater = verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
   const History history{known || remembered, remembered, measured, counted};
   const glm::vec4 shown = hasRect ? rect : glm::vec4(0.0F, 0.0F, view.viewportWidth, view.viewportHeight);
   result.state = {verdict, 0, view.maxTessellation, lvBeforeTest(view, verdict, history, measuredLater, shown, last)};
-  if (measuredLater && history.any && selectsOccluders(view.cullMode) && followsBlock(view)) {
+  if (measuredLater && history.any && has(view.traits, gpu::kTraitUsesMap) && followsBlock(view)) {
     result.state = {verdict, last.state.lod, last.state.tessellation, last.state.lv};
     return result;
   }

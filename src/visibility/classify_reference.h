@@ -44,8 +44,8 @@ gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float impo
 /// was; of what is new, the large ones (kLargeShare). @param rect  pixels, clipped
 bool isExpectedVisible(gpu::uint lastMarks, const glm::vec4& rect, const gpu::CullView& view);
 
-/// kMark... that the verdict alone decides.
-gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint cullMode);
+/// kMark... that the verdict alone decides. @param traits  gpu::CullView::traits
+gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits);
 
 /// What the kernel writes for one object.
 struct Classified {

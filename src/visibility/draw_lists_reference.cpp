@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "policy/traits.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
@@ -17,10 +18,10 @@ struct Ranges {
 };
 
 /// Solid triangles of a mirrored object would be culled by their winding, so they go to the sheet list.
-Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint bin, gpu::uint detail) {
+Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint bin, gpu::uint traits) {
   const gpu::uint level = bin / 2;
   const bool mirrored = bin % 2 == 1;
-  const bool patches = detail == gpu::kDetailTessellation;
+  const bool patches = has(traits, gpu::kTraitPatches);
   const gpu::Lod& lod = scene.lods[patches ? chain.patchLod : chain.firstLod + level];
   Ranges ranges;
   ranges.firstList = patches && level > 0 ? gpu::kListSolidPatch : gpu::kListSolid;
@@ -32,18 +33,18 @@ Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uin
 }
 
 bool drawsOcclusionMap(const gpu::CullView& view, gpu::uint phase) {
-  return phase == gpu::kMarkEarly && view.cullMode != gpu::kCullHiz;
+  return phase == gpu::kMarkEarly && !has(view.traits, gpu::kTraitTwoPhases);
 }
 
 bool isFading(const gpu::CullView& view, gpu::uint marks, gpu::uint phase) {
-  return fadeFrames(marks) > 0 && view.detail == gpu::kDetailDiscrete && !drawsOcclusionMap(view, phase);
+  return fadeFrames(marks) > 0 && !has(view.traits, gpu::kTraitPatches) && !drawsOcclusionMap(view, phase);
 }
 
 /// What fades is drawn through the sheet list, where pixels can be left out.
 gpu::uint binOf(const scene::SceneData& scene, const gpu::CullView& view, const gpu::ObjectState& state,
                 const gpu::ScreenBox& box, gpu::uint marks, const gpu::Chain& chain, gpu::uint phase) {
   gpu::uint level = state.lod;
-  if (view.detail == gpu::kDetailTessellation) {
+  if (has(view.traits, gpu::kTraitPatches)) {
     level = state.tessellation > 1 ? 1 : 0;
   } else if (drawsOcclusionMap(view, phase)) {
     level = pixelErrorLod(std::span(scene.lods).subspan(chain.firstLod, chain.lodCount), box.pixelsPerUnit,
@@ -105,10 +106,10 @@ DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& vie
     while (submission == Submission::kInstanced && end < entries.size() && entries[end].chain == entry.chain &&
            entries[end].bin == entry.bin)
       ++end;
-    const Ranges ranges = rangesOf(scene, scene.chains[entry.chain], entry.bin, view.detail);
+    const Ranges ranges = rangesOf(scene, scene.chains[entry.chain], entry.bin, view.traits);
     const bool perObject = submission == Submission::kPerObject;
     addCommands(lists, ranges, static_cast<gpu::uint>(i), static_cast<gpu::uint>(end - i), perObject);
-    if (perObject) addNothing(lists, ranges, view.detail == gpu::kDetailTessellation);
+    if (perObject) addNothing(lists, ranges, has(view.traits, gpu::kTraitPatches));
     for (; i < end; ++i)
       lists.instances.push_back(entries[i].value);
   }

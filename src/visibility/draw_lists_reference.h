@@ -9,14 +9,9 @@
 #include "scene/scene_data.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
+#include "visibility/submission.h"
 
 namespace jalousie::visibility {
-
-/// How a list is drawn. Both draw the same instances in the same order, so their images are identical.
-enum class Submission : std::uint32_t {
-  kInstanced = 0,  ///< one command per (chain, level) with all its instances
-  kPerObject = 1,  ///< one command per instance: the reference
-};
 
 /// What one list draws.
 struct DrawLists {

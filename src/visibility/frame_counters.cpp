@@ -2,14 +2,15 @@
 #include "visibility/frame_counters.h"
 
 #include "core/check.h"
+#include "policy/traits.h"
 #include "scene/patch_base.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
 
-std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint detail,
+std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint traits,
                           const gpu::ObjectState& state) {
-  if (detail == gpu::kDetailDiscrete) return scene.lods[chain.firstLod + state.lod].triangleCount;
+  if (!has(traits, gpu::kTraitPatches)) return scene.lods[chain.firstLod + state.lod].triangleCount;
   return std::uint64_t{scene.lods[chain.patchLod].triangleCount} * scene::tessellatedTriangles(state.tessellation);
 }
 
@@ -21,13 +22,13 @@ FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& vi
   for (std::size_t i = 0; i < states.size(); ++i) {
     const gpu::ObjectState& state = states[i];
     ++counters[gpu::kCounterVerdicts + state.verdict];
-    if (!isDrawn(marks[i], view.cullMode)) continue;
-    const bool early = view.cullMode == gpu::kCullHiz && (marks[i] & gpu::kMarkEarly) != 0;
+    if (!isDrawn(marks[i], view.traits)) continue;
+    const bool early = has(view.traits, gpu::kTraitTwoPhases) && (marks[i] & gpu::kMarkEarly) != 0;
     ++counters[early ? gpu::kCounterEarly : gpu::kCounterLate];
-    const bool patches = view.detail == gpu::kDetailTessellation;
+    const bool patches = has(view.traits, gpu::kTraitPatches);
     ++counters[gpu::kCounterLevels + (patches ? state.tessellation - 1 : state.lod)];
     const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
-    std::uint64_t triangles = trianglesOf(scene, chain, view.detail, state);
+    std::uint64_t triangles = trianglesOf(scene, chain, view.traits, state);
     if ((marks[i] & gpu::kMarkSwitched) != 0) ++counters[gpu::kCounterSwitches];
     if (fadeFrames(marks[i]) > 0 && !patches) {
       ++counters[gpu::kCounterFading];

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "policy/traits.h"
 #include "scene/scene_data.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
@@ -14,12 +15,12 @@ namespace jalousie::visibility {
 using FrameCounters = std::array<gpu::uint, gpu::kCounterCount>;
 
 /// Whether an object is drawn into the frame, by its marks.
-inline bool isDrawn(gpu::uint marks, gpu::uint cullMode) {
-  return (marks & (cullMode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkLate : gpu::kMarkLate)) != 0;
+inline bool isDrawn(gpu::uint marks, gpu::uint traits) {
+  return (marks & (has(traits, gpu::kTraitTwoPhases) ? gpu::kMarkEarly | gpu::kMarkLate : gpu::kMarkLate)) != 0;
 }
 
 /// Triangles one object is drawn with.
-std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint detail,
+std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint traits,
                           const gpu::ObjectState& state);
 
 /// @param states, marks  [scene.objects.size()]

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "policy/traits.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -69,17 +70,18 @@ float meanOpenChord(const Block& block) {
   return 2.0F * open * static_cast<float>(pairs) / different;
 }
 
-float blockLv(gpu::uint measure, const Block& opacity, float texelPixels) {
-  if (measure == gpu::kLvThesis) return levelOfVisibilityOfOpacity(opacity);
+float blockLv(gpu::uint traits, const Block& opacity, float texelPixels) {
+  if (has(traits, gpu::kTraitLvThesis)) return levelOfVisibilityOfOpacity(opacity);
   std::vector<float> values(opacity.values.begin(), opacity.values.end());
   for (float& value : values)
     value = 1.0F - value;
   const Block transmittance{opacity.width, opacity.height, values};
   const float covered = 1.0F - openShare(transmittance);
   float h = 0.0F;
-  if (measure == gpu::kLvCoverage || measure == gpu::kLvPixels) h = covered;
-  if (measure == gpu::kLvSpectral) h = covered * spectralFineness(transmittance);
-  if (measure == gpu::kLvChord) h = covered / (1.0F + meanOpenChord(transmittance) * texelPixels / gpu::kChordPixels);
+  if (has(traits, gpu::kTraitLvCoverage | gpu::kTraitLvPixels)) h = covered;
+  if (has(traits, gpu::kTraitLvSpectral)) h = covered * spectralFineness(transmittance);
+  if (has(traits, gpu::kTraitLvChord))
+    h = covered / (1.0F + meanOpenChord(transmittance) * texelPixels / gpu::kChordPixels);
   return 2.0F * h - 1.0F;
 }
 

@@ -21,11 +21,14 @@ float spectralFineness(const Block& transmittance);
 /// covered.
 float meanOpenChord(const Block& transmittance);
 
-/// Level of visibility 2 h - 1 of a block of opacities that is neither covered nor open; kLvThesis: its own, which may
-/// lie below -1. h is 0 (kLvNone), the covered share (kLvCoverage), that times the fineness (kLvSpectral), or that over
-/// 1 + chord / kChordPixels (kLvChord). kLvPixels: what was not counted yet has its covered share. GPU twin:
-/// shaders/lib/hiddenness.glsl
-/// @param measure  kLv...   @param texelPixels  side of a texel in pixels; only kLvChord looks at it
-float blockLv(gpu::uint measure, const Block& opacity, float texelPixels);
+/// Level of visibility of a block of opacities that is neither covered nor open. GPU twin: shaders/lib/hiddenness.glsl
+/// The measure is the kTraitLv... that is set:
+///   thesis            the thesis' own level of visibility, which may lie below -1
+///   spectral          2 h - 1 with h = covered share * fineness
+///   chord             2 h - 1 with h = covered share / (1 + chord / kChordPixels)
+///   coverage, pixels  2 h - 1 with h = covered share; for pixels this holds until the first count
+///   none of them      -1
+/// @param traits  gpu::CullView::traits   @param texelPixels  side of a texel in pixels; only chord uses it
+float blockLv(gpu::uint traits, const Block& opacity, float texelPixels);
 
 }  // namespace jalousie::visibility

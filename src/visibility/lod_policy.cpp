@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "policy/traits.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -115,7 +116,7 @@ void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
   const std::uint32_t coarsest =
       std::max(finest, relaxedLod(levels, pixelsPerUnit, budget.tau * view.hysteresis, budget.relaxed, budget.share));
   state.lod = seen ? stepTowards(last.lod, finest, coarsest) : std::clamp(last.lod, finest, coarsest);
-  if (seen && state.lod != last.lod && view.detail == gpu::kDetailDiscrete && view.fadeFrames > 0)
+  if (seen && state.lod != last.lod && !has(view.traits, gpu::kTraitPatches) && view.fadeFrames > 0)
     marks |= (view.fadeFrames << gpu::kMarkFadeShift) | (last.lod > state.lod ? gpu::kMarkFromCoarser : 0);
 }
 
@@ -124,14 +125,15 @@ void followBudget(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
 void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, float patchError,
                   const gpu::ScreenBox& box, bool seen, const gpu::ObjectState& last, gpu::ObjectState& state,
                   gpu::uint& marks) {
-  const bool follows = view.lodRule == gpu::kLodPixelError || view.lodRule == gpu::kLodLvError;
-  const bool calm = follows && (marks & gpu::kMarkRemembered) != 0;
+  const bool followsError = has(view.traits, gpu::kTraitFollowsError);
+  const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);
+  const bool calm = followsError && (marks & gpu::kMarkRemembered) != 0;
   if (!calm) marks &= ~gpu::kMarkFadeMask;
-  if (view.lodRule == gpu::kLodLinear) {
+  if (followsLv && !followsError) {
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
-  } else if (follows) {
-    const float relaxed = view.lodRule == gpu::kLodLvError ? relaxedBudget(state.lv, view.relax) : 1.0F;
+  } else if (followsError) {
+    const float relaxed = followsLv ? relaxedBudget(state.lv, view.relax) : 1.0F;
     const float share = visibleShare(state.lv);
     const float patchPixels = patchError * box.pixelsPerUnit;
     if (calm) {
@@ -144,7 +146,7 @@ void chooseDetail(const gpu::CullView& view, std::span<const gpu::Lod> levels, f
     }
   }
   const bool same =
-      view.detail == gpu::kDetailTessellation ? state.tessellation == last.tessellation : state.lod == last.lod;
+      has(view.traits, gpu::kTraitPatches) ? state.tessellation == last.tessellation : state.lod == last.lod;
   if ((marks & gpu::kMarkKnown) != 0 && !same) marks |= gpu::kMarkSwitched;
 }
 

@@ -57,9 +57,9 @@ std::uint32_t fadingLod(std::uint32_t lod, gpu::uint marks);
 /// One step from the last level towards [lowest, highest].
 std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_t highest);
 
-/// Fills lod and tessellation under the view's rule; kLodFinest leaves them. With kMarkRemembered the object goes on
-/// from the last frame: it keeps its level within the view's hysteresis, changes it by one, and fades; without, a fade
-/// that was on ends.
+/// Fills lod and tessellation under the view's rule; a rule with neither kTraitFollowsError nor kTraitFollowsLv leaves
+/// them. With kMarkRemembered the object goes on from the last frame: it keeps its level within the view's hysteresis,
+/// changes it by one, and fades; without, a fade that was on ends.
 /// @param patchError  errorObject of the patch base   @param last  the object in the last frame
 /// @param seen  whether a pixel of the last frame showed the object, or nobody knows: what is unseen need not fade
 /// @param marks  gets kMarkSwitched (only what was drawn before, kMarkKnown, can switch) and the frames of the fade

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "policy/traits.h"
 #include "shared/limits.h"
 #include "visibility/lod_policy.h"
 
@@ -88,7 +89,7 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
 }
 
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels,
-                          std::optional<gpu::uint> lvMeasure) {
+                          std::optional<gpu::uint> lvTraits) {
   const auto width = static_cast<float>(cover.layout().screenWidth);
   const auto height = static_cast<float>(cover.layout().screenHeight);
   gpu::ScreenBox box = given;
@@ -107,12 +108,12 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float
   }
 
   if (range.lowest >= cullThreshold) return {gpu::kVerdictOccluded, 1.0F};
-  if (range.highest <= 0.0F && (!cover.depthAware() || !lvMeasure)) return {gpu::kVerdictOpen, -1.0F};
-  if (!lvMeasure) return {gpu::kVerdictPartial, -1.0F};
+  if (range.highest <= 0.0F && (!cover.depthAware() || !lvTraits)) return {gpu::kVerdictOpen, -1.0F};
+  if (!lvTraits) return {gpu::kVerdictPartial, -1.0F};
   const AnalysedBlock block = analysedBlock(cover, box);
   if (*std::max_element(block.opacity.begin(), block.opacity.end()) <= 0.0F) return {gpu::kVerdictOpen, -1.0F};
   return {gpu::kVerdictPartial,
-          blockLv(*lvMeasure, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
+          blockLv(*lvTraits, {block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level))};
 }
 
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
@@ -121,7 +122,7 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
   const bool hidden = result.verdict == gpu::kVerdictOccluded;
   const bool counted = (marks & gpu::kMarkCounted) != 0;
   const gpu::ObjectState last = state;
-  const bool waitsForCount = view.lvMeasure == gpu::kLvPixels && !hidden;
+  const bool waitsForCount = has(view.traits, gpu::kTraitLvPixels) && !hidden;
   if (!counted)
     state.lv = (marks & gpu::kMarkRemembered) != 0 ? smoothLv(last.lv, waitsForCount ? last.lv : result.lv) : result.lv;
   state.verdict = hidden && early ? gpu::kVerdictStale : result.verdict;
@@ -130,8 +131,7 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
     return;
   }
   marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
-  const bool followsLv = view.lodRule == gpu::kLodLinear || view.lodRule == gpu::kLodLvError;
-  if (early || counted || !followsLv) return;
+  if (early || counted || !has(view.traits, gpu::kTraitFollowsLv)) return;
   chooseDetail(view, std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
                scene.lods[chain.patchLod].errorObject, box, (marks & gpu::kMarkKnown) != 0, last, state, marks);
 }

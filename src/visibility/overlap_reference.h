@@ -58,14 +58,14 @@ struct AnalysedBlock {
 AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box);
 
 /// Verdict and LV of one occludee. @param cullThreshold  opacity from which a texel hides, (0, 1]
-/// @param lvMeasure  absent: no block is looked at, and LV has no meaning
+/// @param lvTraits  kTraitLv... as for blockLv; absent: no block is looked at, and LV has no meaning
 /// @param guardPixels  the rectangle grows by this much on every side: the occluders' own error (hom-depth)
 struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial
   float lv = -1.0F;                       ///< normalised
 };
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float cullThreshold, float guardPixels = 0.0F,
-                          std::optional<gpu::uint> lvMeasure = gpu::kLvThesis);
+                          std::optional<gpu::uint> lvTraits = gpu::kTraitLvThesis);
 
 /// What the kernel makes of a pending object (with kMarkCounted, its LV stays as it is): verdict, lv, phase, and where
 /// the rule follows LV the detail of what is drawn late. @pre state.verdict is kVerdictPending; view.analyse is 1

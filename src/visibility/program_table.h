@@ -10,9 +10,9 @@ namespace jalousie::visibility {
 enum class ProgramId : unsigned {
   kClassify,
   kReduceMap,
-  kAnalyseMap,       ///< kCullHom
-  kAnalyseMapDepth,  ///< kCullHomDepth
-  kAnalyseDepth,     ///< kCullHiz
+  kAnalyseMap,       ///< kTraitUsesMap alone
+  kAnalyseMapDepth,  ///< kTraitUsesMap and kTraitUsesDepth
+  kAnalyseDepth,     ///< kTraitUsesDepth alone
   kReduceDepthFirst,
   kReduceDepthFirstCovered,
   kReduceDepth,

@@ -2,6 +2,7 @@
 #include "visibility/visibility_pass.h"
 
 #include "core/check.h"
+#include "policy/traits.h"
 #include "shared/limits.h"
 #include "visibility/level_of_visibility.h"
 #include "visibility/program_table.h"
@@ -65,17 +66,17 @@ void VisibilityPass::classify(const SceneBindings& scene) {
   dispatch(classifyProgram_, scene);
 }
 
-void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint cullMode, const CoverTextures& cover) {
-  if (cullMode != gpu::kCullHiz) cover.map->texture().bind(gpu::kUnitOcclusionMap);
-  if (cullMode != gpu::kCullHom) {
+void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover) {
+  const bool usesMap = has(traits, gpu::kTraitUsesMap);
+  const bool usesDepth = has(traits, gpu::kTraitUsesDepth);
+  JAL_CHECK((traits & (gpu::kTraitUsesMap | gpu::kTraitUsesDepth)) != 0U);
+  if (usesMap) cover.map->texture().bind(gpu::kUnitOcclusionMap);
+  if (usesDepth) {
     cover.pyramid->texture().bind(gpu::kUnitDepthPyramid);
     cover.depth->bind(gpu::kUnitDepth);
   }
   cosines_.bindStorage(gpu::kBindingCosines);
-  dispatch(cullMode == gpu::kCullHom        ? analyseMapProgram_
-           : cullMode == gpu::kCullHomDepth ? analyseMapDepthProgram_
-                                            : analyseDepthProgram_,
-           scene);
+  dispatch(!usesDepth ? analyseMapProgram_ : usesMap ? analyseMapDepthProgram_ : analyseDepthProgram_, scene);
 }
 
 void VisibilityPass::countPixels(const gl::Texture& items) {

@@ -32,10 +32,10 @@ struct ObjectBuffers {
   const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
 };
 
-/// What the overlap test looks at; which of them depends on the cull mode.
+/// What the overlap test looks at; which of them depends on the traits of the mode.
 struct CoverTextures {
-  const OcclusionMapPass* map = nullptr;      ///< kCullHom, kCullHomDepth
-  const DepthPyramidPass* pyramid = nullptr;  ///< kCullHomDepth, kCullHiz
+  const OcclusionMapPass* map = nullptr;      ///< with kTraitUsesMap
+  const DepthPyramidPass* pyramid = nullptr;  ///< with kTraitUsesDepth
   const gl::Texture* depth = nullptr;         ///< level 0 of the pyramid
 };
 
@@ -52,8 +52,10 @@ class VisibilityPass {
   /// Verdict, screen box, phase and first detail of every object. Leaves a STORAGE barrier.
   void classify(const SceneBindings& scene);
   /// Overlap test and LV of the objects that classify left pending. Leaves a STORAGE barrier.
-  void analyse(const SceneBindings& scene, gpu::uint cullMode, const CoverTextures& cover);
-  /// Counts the pixels that show each object, for the LV of the next frames (kLvPixels). Call after the frame is drawn.
+  /// @param traits  gpu::CullView::traits, with kTraitUsesMap, kTraitUsesDepth or both
+  void analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover);
+  /// Counts the pixels that show each object, for the LV of the next frames (kTraitLvPixels). Call after the frame is
+  /// drawn.
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
   void countPixels(const gl::Texture& items);
   /// Forgets what was visible in the last frame.

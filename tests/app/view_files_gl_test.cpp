@@ -2,6 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "asset/gltf_file.h"
 #include "view_fixture.h"
 
 namespace jalousie {

@@ -89,7 +89,7 @@ TEST_F(GlObjects, TimerReportsPassesOnlyWhenEnabled) {
   timer.beginFrame();
   { const PassTimer::Scope pass(timer, "quiet"); }
   EXPECT_TRUE(timer.passes().empty());
-  timer.setTiming(gl::Timing::kWall);
+  timer.setTiming(Timing::kWall);
   { const PassTimer::Scope pass(timer, "loud"); }
   ASSERT_EQ(timer.passes().size(), 1U);
   EXPECT_EQ(timer.passes()[0].name, "loud");

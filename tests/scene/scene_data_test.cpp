@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "asset/scene_file.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "scene/texture_layers.h"

@@ -28,10 +28,10 @@ glm::vec3 placeNear(const scene::SceneData& scene, Random& random) {
 }
 
 void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std::vector<gpu::uint>& marks,
-             gpu::uint cullMode) {
+             gpu::uint traits) {
   std::uint64_t wrong = 0;
   for (const std::uint32_t id : ids)
-    wrong += id > 0 && !visibility::isDrawn(marks[id - 1], cullMode) ? 1 : 0;
+    wrong += id > 0 && !visibility::isDrawn(marks[id - 1], traits) ? 1 : 0;
   loss.wrongPixels += wrong;
   loss.worstFrame = std::max(loss.worstFrame, wrong);
 }
@@ -40,12 +40,12 @@ void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std
 
 CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t height,
                       const render::FrameOptions& options, std::uint32_t firstFrame, std::uint32_t frames) {
-  const bool followsLv = options.lodRule == gpu::kLodLinear || options.lodRule == gpu::kLodLvError;
+  const bool followsLv = options.lodRule == LodRule::kLinear || options.lodRule == LodRule::kLvError;
   JAL_CHECK(!followsLv);
   render::FrameRenderer renderer(journey.scene, width, height);
   render::FrameRenderer reference(journey.scene, width, height);
   render::FrameOptions everything = options;
-  everything.cullMode = gpu::kCullNone;
+  everything.cullMode = CullMode::kFull;
   everything.skipDraw = true;  // renderIds draws it
   std::vector<gpu::Transform> transforms = journey.scene.transforms;
   CullingLoss loss;
@@ -63,7 +63,7 @@ CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t
     const std::vector<float> expectedDepth = reference.readDepth();
     for (std::size_t pixel = 0; pixel < depth.size(); ++pixel)
       loss.differentDepths += depth[pixel] != expectedDepth[pixel] ? 1 : 0;
-    addLoss(loss, reference.readIds(), renderer.readMarks(), options.cullMode);
+    addLoss(loss, reference.readIds(), renderer.readMarks(), traitsOf(options.cullMode));
     const render::FrameStatistics statistics = renderer.readStatistics();
     loss.culled += statistics.culledOcclusion;
     loss.triangles += statistics.triangles;

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/random.h"
+#include "policy/frame_policy.h"
 #include "scene/camera.h"
 
 namespace jalousie::visibility {
@@ -96,17 +97,17 @@ TEST(Classify, NearBoxesAreOccludersOnlyWithAMap) {
   gpu::CullView view{};
   view.cameraWorld = glm::vec4(camera.positionWorld(), 1.0F);
   view.occluderDistance = 10.0F;
-  view.cullMode = gpu::kCullHom;
+  view.traits = traitsOf(CullMode::kHom);
   EXPECT_EQ(classify(boxAt({0, 0, -10}, camera), view), gpu::kVerdictOccluder);
   EXPECT_EQ(classify(boxAt({0, 0, -12}, camera), view), gpu::kVerdictPending);
   EXPECT_EQ(classify(boxAt({0, 0, 0}, camera), view), gpu::kVerdictOccluder);
   view.occluderDistance = 0.0F;
   EXPECT_EQ(classify(boxAt({0, 0, 0}, camera), view), gpu::kVerdictNear);
   view.occluderDistance = 10.0F;
-  view.cullMode = gpu::kCullFrustum;
+  view.traits = traitsOf(CullMode::kFrustum);
   EXPECT_EQ(classify(boxAt({0, 0, -10}, camera), view), gpu::kVerdictPending);
   EXPECT_EQ(classify(boxAt({0, 50, -10}, camera), view), gpu::kVerdictOutside);
-  view.cullMode = gpu::kCullNone;
+  view.traits = traitsOf(CullMode::kFull);
   EXPECT_EQ(classify(boxAt({0, 50, -10}, camera), view), gpu::kVerdictPending);
 }
 
@@ -162,18 +163,18 @@ TEST(Classify, MirroredTransformsAreRecognised) {
 
 TEST(Classify, PhasesFollowModeVerdictAndHistory) {
   const gpu::uint seen = gpu::kMarkVisible;
-  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz})
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz})
     for (const bool was : {false, true})
       for (const gpu::uint gone : {gpu::kVerdictOutside, gpu::kVerdictSmall})
-        EXPECT_EQ(phasesOf(gone, was, mode), 0U);
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullFrustum), gpu::kMarkLate | seen);
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHom), 0U);  // the map decides
-  EXPECT_EQ(phasesOf(gpu::kVerdictOccluder, false, gpu::kCullHom), gpu::kMarkEarly | gpu::kMarkLate | seen);
-  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHomDepth), gpu::kMarkLate | seen);
+        EXPECT_EQ(phasesOf(gone, was, traitsOf(mode)), 0U);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, traitsOf(CullMode::kFrustum)), gpu::kMarkLate | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, traitsOf(CullMode::kHom)), 0U);  // the map decides
+  EXPECT_EQ(phasesOf(gpu::kVerdictOccluder, false, traitsOf(CullMode::kHom)), gpu::kMarkEarly | gpu::kMarkLate | seen);
+  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, traitsOf(CullMode::kHomDepth)), gpu::kMarkLate | seen);
   const gpu::uint tested = gpu::kMarkTested;
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, gpu::kCullHiz), tested);  // the test decides
-  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, gpu::kCullHiz), gpu::kMarkEarly | seen | tested);
-  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, gpu::kCullHiz), gpu::kMarkEarly | seen | tested);
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, false, traitsOf(CullMode::kHiz)), tested);  // the test decides
+  EXPECT_EQ(phasesOf(gpu::kVerdictPending, true, traitsOf(CullMode::kHiz)), gpu::kMarkEarly | seen | tested);
+  EXPECT_EQ(phasesOf(gpu::kVerdictNear, false, traitsOf(CullMode::kHiz)), gpu::kMarkEarly | seen | tested);
 }
 
 TEST(Classify, WhatIsNewInViewIsExpectedVisibleIfItIsLarge) {
@@ -191,7 +192,7 @@ TEST(Classify, WhatIsNewInViewIsExpectedVisibleIfItIsLarge) {
 TEST(Classify, ContributionThresholdCountsTheRectanglesPixelsTimesImportance) {
   const scene::Camera camera = cameraAt({0, 0, 0});
   gpu::CullView view{};
-  view.cullMode = gpu::kCullFrustum;
+  view.traits = traitsOf(CullMode::kFrustum);
   const BoxOnScreen box = boxAt({0, 0, -40}, camera);
   const float area = (box.rect.z - box.rect.x) * (box.rect.w - box.rect.y);
   view.minPixels = 0.99F * area;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "policy/lv_measure.h"
 #include "visibility/item_buffer.h"
 #include "visibility/lod_policy.h"
 
@@ -41,11 +42,11 @@ Block block(const std::vector<float>& values) {
   return {kSide, kSide, values};
 }
 
-float hiddenOf(gpu::uint measure, const std::vector<float>& transmittance) {
+float hiddenOf(LvMeasure measure, const std::vector<float>& transmittance) {
   std::vector<float> opacity = transmittance;
   for (float& value : opacity)
     value = 1.0F - value;
-  return 0.5F * (blockLv(measure, {kSide, kSide, opacity}, 1.0F) + 1.0F);
+  return 0.5F * (blockLv(traitsOf(measure), {kSide, kSide, opacity}, 1.0F) + 1.0F);
 }
 
 TEST(Hiddenness, FinenessOfTheComputedPatterns) {
@@ -78,7 +79,7 @@ TEST(Hiddenness, ChordHalvesAsHolesHalve) {
 
 TEST(Hiddenness, FinerHolesAreNeverLessHiddenExceptToTheThesis) {
   // The chord keeps the order strictly; the fineness saturates and wavers by a fiftieth.
-  for (const auto& [measure, waver] : {std::pair{gpu::kLvChord, 0.0F}, {gpu::kLvSpectral, 0.02F}}) {
+  for (const auto& [measure, waver] : {std::pair{LvMeasure::kChord, 0.0F}, {LvMeasure::kSpectral, 0.02F}}) {
     float last = 0.0F;
     for (const std::uint32_t holes : {1U, 2U, 4U, 8U}) {
       float least = 1.0F;
@@ -88,12 +89,12 @@ TEST(Hiddenness, FinerHolesAreNeverLessHiddenExceptToTheThesis) {
         least = std::min(least, h);
         most = std::max(most, h);
       }
-      EXPECT_GE(least, last - waver) << "measure " << measure << ", " << holes << " holes a side";
+      EXPECT_GE(least, last - waver) << rowOf(measure).name << ", " << holes << " holes a side";
       last = most;
     }
   }
   // One large hole in the middle counts as more hidden than 64 pinholes: what the thesis' measure gets wrong.
-  EXPECT_GT(hiddenOf(gpu::kLvThesis, squareHoles(1, 4, 4)), hiddenOf(gpu::kLvThesis, squareHoles(8, 0, 0)));
+  EXPECT_GT(hiddenOf(LvMeasure::kThesis, squareHoles(1, 4, 4)), hiddenOf(LvMeasure::kThesis, squareHoles(8, 0, 0)));
 }
 
 TEST(Hiddenness, CountedPixelsCannotTellHowAnOpeningIsDivided) {
@@ -124,9 +125,9 @@ TEST(Hiddenness, MirroringAndTransposingChangeNothing) {
       mirrored[y * kSide + kSide - 1 - x] = values[y * kSide + x];
       transposed[x * kSide + y] = values[y * kSide + x];
     }
-  for (gpu::uint measure = gpu::kLvNone; measure < gpu::kLvCount; ++measure) {
-    EXPECT_NEAR(hiddenOf(measure, mirrored), hiddenOf(measure, values), 1e-5F) << measure;
-    EXPECT_NEAR(hiddenOf(measure, transposed), hiddenOf(measure, values), 1e-5F) << measure;
+  for (const LvMeasureRow& row : lvMeasureTable()) {
+    EXPECT_NEAR(hiddenOf(row.id, mirrored), hiddenOf(row.id, values), 1e-5F) << row.name;
+    EXPECT_NEAR(hiddenOf(row.id, transposed), hiddenOf(row.id, values), 1e-5F) << row.name;
   }
 }
 
@@ -138,8 +139,8 @@ TEST(Hiddenness, StaysInRangeOnRandomBlocks) {
     std::vector<float> opacity(std::size_t{width} * height);
     for (float& value : opacity)
       value = random.below(2) == 0 ? random.uniform() : static_cast<float>(random.below(2));
-    for (const gpu::uint measure : {gpu::kLvNone, gpu::kLvSpectral, gpu::kLvChord, gpu::kLvCoverage}) {
-      const float lv = blockLv(measure, {width, height, opacity}, 4.0F);
+    for (const LvMeasure measure : {LvMeasure::kNone, LvMeasure::kSpectral, LvMeasure::kChord, LvMeasure::kCoverage}) {
+      const float lv = blockLv(traitsOf(measure), {width, height, opacity}, 4.0F);
       ASSERT_GE(lv, -1.0001F);
       ASSERT_LE(lv, 1.0001F);
     }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "policy/frame_policy.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -105,7 +106,7 @@ TEST(LvError, PixelsCountAgainstHalfTheRectangle) {
 TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   const auto levels = levelsWithErrors({0.0F, 0.01F, 0.04F, 0.2F});
   gpu::CullView view{};
-  view.lodRule = gpu::kLodLvError;
+  view.traits = traitsOf(LodRule::kLvError);
   view.relax = 24.0F;
   view.maxTessellation = 20;
   gpu::ScreenBox box{};
@@ -138,9 +139,8 @@ TEST(LvError, ACoarserLevelMustSaveWhatItsErrorCosts) {
 
 /// One object whose budget an outside force changes from frame to frame.
 struct CalmObject {
-  explicit CalmObject(gpu::uint detail = gpu::kDetailDiscrete) {
-    view.lodRule = gpu::kLodPixelError;
-    view.detail = detail;
+  explicit CalmObject(Detail detail = Detail::kDiscrete) {
+    view.traits = traitsOf(LodRule::kPixelError) | traitsOf(detail);
     view.maxTessellation = 20;
     view.calm = 1;
     view.hysteresis = gpu::kDefaultHysteresis;
@@ -225,15 +225,15 @@ TEST(Calm, TheMarginAndTheFadeAreTheViews) {
 }
 
 TEST(Calm, AFadeEndsWithTheCalmFrames) {
-  for (const gpu::uint rule : {gpu::kLodFinest, gpu::kLodLinear, gpu::kLodPixelError, gpu::kLodLvError}) {
+  for (const LodRuleRow& rule : lodRuleTable()) {
     CalmObject object;
     object.frame(100.0F);
     ASSERT_GT(fadeFrames(object.marks), 0U);
-    object.view.lodRule = rule;
+    object.view.traits = traitsOf(rule.id);
     gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
     chooseDetail(object.view, object.levels, 40.0F, object.box, true, object.state, next, marks);
-    EXPECT_EQ(fadeFrames(marks), 0U) << "rule " << rule;
+    EXPECT_EQ(fadeFrames(marks), 0U) << rule.name;
   }
 }
 
@@ -246,7 +246,7 @@ TEST(Calm, WhatNobodySeesGoesStraightToItsLevel) {
 }
 
 TEST(Calm, TessellationMovesOneLevelAFrameWithinItsMargin) {
-  CalmObject object(gpu::kDetailTessellation);
+  CalmObject object(Detail::kTessellation);
   object.frame(1.6F);  // 40 / 25 = 1.6: level 5 is exact
   EXPECT_EQ(object.state.tessellation, 5U);
   object.frame(1.4F);
@@ -267,7 +267,7 @@ TEST(Calm, LvComesIntoSightFasterThanItGoes) {
 
 TEST(Calm, WhatNobodySawNeedNotSwitchWhenItComesIntoSight) {
   CalmObject object;
-  object.view.lodRule = gpu::kLodLvError;
+  object.view.traits = traitsOf(LodRule::kLvError);
   object.view.relax = 64.0F;
   for (std::size_t k = 0; k < object.levels.size(); ++k)
     object.levels[k].triangleCount = 4096U >> k;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "policy/lod_rule.h"
 #include "shared/limits.h"
 
 namespace jalousie::visibility {
@@ -176,7 +177,7 @@ TEST(Overlap, MapWithDepthCoversOnlyWhereOccludersAreInFront) {
 
 TEST(Overlap, MarksRememberWhatWasSeen) {
   gpu::CullView view{};
-  view.lodRule = gpu::kLodLinear;
+  view.traits = traitsOf(LodRule::kLinear);
   view.maxTessellation = 20;
   scene::SceneData scene;
   scene.lods.resize(5);

@@ -11,7 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "asset/scene_file.h"
 #include "core/random.h"
+#include "policy/frame_policy.h"
 #include "render/scene_buffers.h"
 #include "scene/camera.h"
 #include "scene/scene_data.h"
@@ -36,16 +38,19 @@ struct ScreenSize {
 };
 constexpr ScreenSize kSizes[] = {{640, 360}, {1366, 77}, {333, 97}, {64, 64}, {1, 1}, {1, 200}};
 
-gpu::CullView makeView(const SceneData& scene, const scene::Camera& camera, ScreenSize size, float occluderDistance) {
+/// The mode of the thesis with its level rule, and no measure.
+constexpr FramePolicy kThesisPolicy{
+    .cullMode = CullMode::kHom, .lodRule = LodRule::kLinear, .lvMeasure = LvMeasure::kNone};
+
+gpu::CullView makeView(const SceneData& scene, const scene::Camera& camera, ScreenSize size, float occluderDistance,
+                       const FramePolicy& policy = kThesisPolicy) {
   gpu::CullView view{};
   view.clipFromWorld = scene::clipFromWorld(camera, static_cast<float>(size.width) / static_cast<float>(size.height));
   view.cameraWorld = glm::vec4(camera.positionWorld(), camera.zNear);
   view.viewportWidth = size.width;
   view.viewportHeight = size.height;
   view.objectCount = static_cast<gpu::uint>(scene.objects.size());
-  view.cullMode = gpu::kCullHom;
-  view.lodRule = gpu::kLodLinear;
-  view.detail = gpu::kDetailDiscrete;
+  view.traits = traitsOf(policy);
   view.analyse = 1;
   view.mapLevels = mapLayout(size.width, size.height).levels;
   view.occluderDistance = occluderDistance;
@@ -189,12 +194,11 @@ TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
   const ImportanceMask mask(image);
   const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 4), {.patches = true});
   const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
-  for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
-    for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodLvError; ++rule) {
-      gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F);
+  for (const CullModeRow& mode : cullModeTable()) {
+    for (const LodRuleRow& rule : lodRuleTable()) {
+      gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F,
+                                    {.cullMode = mode.id, .lodRule = rule.id, .lvMeasure = LvMeasure::kNone});
       view.relax = 8.0F;
-      view.cullMode = mode;
-      view.lodRule = rule;
       compareClassification(scene, view);
       view.minPixels = 60.0F;
       view.tau = 3.0F;
@@ -206,17 +210,15 @@ TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
 TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
   const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 9), {.patches = true});
   const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
-  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHom, gpu::kCullHiz}) {
-    for (const gpu::uint measure : {gpu::kLvChord, gpu::kLvPixels}) {
-      for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHom, CullMode::kHiz}) {
+    for (const LvMeasure measure : {LvMeasure::kChord, LvMeasure::kPixels}) {
+      for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
         for (const gpu::uint calm : {0U, 1U}) {
-          gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F);
+          gpu::CullView view =
+              makeView(scene, camera, {640, 360}, 20.0F,
+                       {.cullMode = mode, .lodRule = LodRule::kLvError, .lvMeasure = measure, .detail = detail});
           view.relax = 64.0F;
           view.tau = 0.3F;
-          view.cullMode = mode;
-          view.lodRule = gpu::kLodLvError;
-          view.lvMeasure = measure;
-          view.detail = detail;
           view.calm = calm;
           compareClassification(scene, view);
           compareClassification(scene, view, nullptr, false);
@@ -238,10 +240,8 @@ TEST_F(ClassifyGl, RealScenes) {
     const SceneData scene =
         scene::buildScene(asset::readSceneFile(std::filesystem::path(folder) / name / "scene.gltf"));
     for (const glm::vec3 eye : {glm::vec3(0, 8, 0), glm::vec3(0, 40, 60), glm::vec3(300, 200, 300)}) {
-      gpu::CullView view = makeView(scene, scene::lookAt(eye, {-40, 4, -20}, scene.boundsWorld), {1366, 768}, 40.0F);
-      view.cullMode = gpu::kCullHiz;
-      view.lodRule = gpu::kLodPixelError;
-      compareClassification(scene, view);
+      compareClassification(scene, makeView(scene, scene::lookAt(eye, {-40, 4, -20}, scene.boundsWorld), {1366, 768},
+                                            40.0F, {.lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone}));
     }
   }
 }
@@ -375,8 +375,8 @@ SceneData sceneOfCount(std::size_t count) {
 class AnalyseGl : public test::GlTest {
  protected:
   /// Runs the kernel of a mode on given boxes, some of them drawn early, and compares with the twin.
-  static void compare(gpu::uint mode, std::size_t (&verdicts)[gpu::kVerdictCount], gpu::uint measure = gpu::kLvThesis,
-                      gpu::uint calm = 0) {
+  static void compare(CullMode mode, std::size_t (&verdicts)[gpu::kVerdictCount],
+                      LvMeasure measure = LvMeasure::kThesis, gpu::uint calm = 0) {
     constexpr std::size_t kCount = 1500;
     const SceneData scene = sceneOfCount(kCount);
     const render::SceneBuffers buffers(scene);
@@ -385,42 +385,40 @@ class AnalyseGl : public test::GlTest {
       for (const float threshold : {1.0F, 0.9F}) {
         const GivenMap map(size, structuredPixels(size, 7 + size.height));
         const GivenDepth depth(size, structuredDepth(size, 7 + size.height),
-                               mode == gpu::kCullHiz ? DepthSource::kAll : DepthSource::kCovered, true);
-        const Cover cover{mode == gpu::kCullHiz ? nullptr : &map.reference,
-                          mode == gpu::kCullHom ? nullptr : &depth.reference};
+                               !rowOf(mode).usesMap ? DepthSource::kAll : DepthSource::kCovered, true);
+        const Cover cover{!rowOf(mode).usesMap ? nullptr : &map.reference,
+                          !rowOf(mode).usesDepth ? nullptr : &depth.reference};
         const std::vector<gpu::ScreenBox> boxes = adversarialBoxes(size, kCount, size.width);
-        gpu::CullView view = makeView(scene, {}, size, 0.0F);
-        view.cullMode = mode;
+        const LodRule rule = calm != 0 ? LodRule::kLvError : LodRule::kLinear;
+        gpu::CullView view = makeView(scene, {}, size, 0.0F, {.cullMode = mode, .lodRule = rule, .lvMeasure = measure});
         view.cullThreshold = threshold;
-        view.occluderTau = mode == gpu::kCullHomDepth ? 0.5F : 0.0F;
-        view.lvMeasure = measure;
+        view.occluderTau = mode == CullMode::kHomDepth ? 0.5F : 0.0F;
         view.calm = calm;
-        view.lodRule = calm != 0 ? gpu::kLodLvError : gpu::kLodLinear;
         view.relax = 64.0F;
         pass.setView(view);
         std::vector<gpu::ObjectState> states(kCount, {gpu::kVerdictPending, 3, 20, -0.5F});
         std::vector<gpu::uint> marks(kCount);
         for (std::size_t i = 0; i < kCount; i += 3)
-          marks[i] = mode == gpu::kCullHiz ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
+          marks[i] = !rowOf(mode).usesMap ? gpu::kMarkEarly | gpu::kMarkVisible : 0;
         for (std::size_t i = 0; i < kCount; i += 2)
           marks[i] |= calm != 0 ? gpu::kMarkCalm | gpu::kMarkRemembered : 0;
         for (std::size_t i = 0; i < kCount; i += 5)
-          marks[i] |= gpu::kMarkKnown | (i % 3 == 0 && measure == gpu::kLvPixels ? gpu::kMarkCounted : 0) |
+          marks[i] |= gpu::kMarkKnown | (i % 3 == 0 && measure == LvMeasure::kPixels ? gpu::kMarkCounted : 0) |
                       (i % 2 == 0 ? 3U << gpu::kMarkFadeShift : 0);
         pass.boxesForTest().write(0, std::as_bytes(std::span(boxes)));
         pass.statesForTest().write(0, std::as_bytes(std::span(states)));
         pass.marksForTest().write(0, std::as_bytes(std::span(marks)));
-        pass.analyse(buffers.bindings(), mode, {&map.pass, &depth.pass, &depth.texture});
+        pass.analyse(buffers.bindings(), view.traits, {&map.pass, &depth.pass, &depth.texture});
         const auto gpuStates = pass.states().read<gpu::ObjectState>(kCount);
         const auto gpuMarks = pass.marks().read<gpu::uint>(kCount);
         for (std::size_t i = 0; i < kCount; ++i) {
           const OverlapResult result =
-              testOverlap(cover, boxes[i], threshold, mode == gpu::kCullHomDepth ? 1.0F : 0.0F,
-                          (marks[i] & gpu::kMarkCounted) != 0 ? std::nullopt : std::optional(measure));
+              testOverlap(cover, boxes[i], threshold, mode == CullMode::kHomDepth ? 1.0F : 0.0F,
+                          (marks[i] & gpu::kMarkCounted) != 0 ? std::nullopt : std::optional(view.traits));
           applyOverlap(result, scene, view, scene.chains[0], boxes[i], states[i], marks[i]);
           ASSERT_EQ(gpuStates[i].verdict, states[i].verdict) << size.width << "x" << size.height << " box " << i;
-          ASSERT_NEAR(gpuStates[i].lv, states[i].lv, measure == gpu::kLvThesis ? 2e-5F : 2e-4F)
-              << size.width << "x" << size.height << " box " << i << " measure " << measure;
+          ASSERT_NEAR(gpuStates[i].lv, states[i].lv, measure == LvMeasure::kThesis ? 2e-5F : 2e-4F)
+              << size.width << "x" << size.height << " box " << i << " measure " << rowOf(measure).name;
           ASSERT_EQ(gpuMarks[i], marks[i]) << size.width << "x" << size.height << " box " << i;
           ++verdicts[states[i].verdict];
         }
@@ -431,7 +429,7 @@ class AnalyseGl : public test::GlTest {
 
 TEST_F(AnalyseGl, MapEqualsTheTwin) {
   std::size_t verdicts[gpu::kVerdictCount] = {};
-  compare(gpu::kCullHom, verdicts);
+  compare(CullMode::kHom, verdicts);
   EXPECT_GT(verdicts[gpu::kVerdictOccluded], 100U);
   EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
   EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
@@ -439,7 +437,7 @@ TEST_F(AnalyseGl, MapEqualsTheTwin) {
 
 TEST_F(AnalyseGl, MapWithDepthEqualsTheTwin) {
   std::size_t verdicts[gpu::kVerdictCount] = {};
-  compare(gpu::kCullHomDepth, verdicts);
+  compare(CullMode::kHomDepth, verdicts);
   EXPECT_GT(verdicts[gpu::kVerdictOccluded], 20U);
   EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
   EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
@@ -447,7 +445,7 @@ TEST_F(AnalyseGl, MapWithDepthEqualsTheTwin) {
 
 TEST_F(AnalyseGl, DepthPyramidEqualsTheTwinAndTellsStaleFromOccluded) {
   std::size_t verdicts[gpu::kVerdictCount] = {};
-  compare(gpu::kCullHiz, verdicts);
+  compare(CullMode::kHiz, verdicts);
   EXPECT_GT(verdicts[gpu::kVerdictOccluded], 100U);
   EXPECT_GT(verdicts[gpu::kVerdictStale], 50U);
   EXPECT_GT(verdicts[gpu::kVerdictOpen], 100U);
@@ -455,12 +453,12 @@ TEST_F(AnalyseGl, DepthPyramidEqualsTheTwinAndTellsStaleFromOccluded) {
 }
 
 TEST_F(AnalyseGl, EveryMeasureEqualsTheTwinOnEveryCover) {
-  for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
-    for (gpu::uint measure = gpu::kLvNone; measure < gpu::kLvCount; ++measure) {
+  for (const CullMode mode : {CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}) {
+    for (const LvMeasureRow& measure : lvMeasureTable()) {
       std::size_t verdicts[gpu::kVerdictCount] = {};
-      compare(mode, verdicts, measure);
+      compare(mode, verdicts, measure.id);
       EXPECT_GT(verdicts[gpu::kVerdictPartial], 1000U);
-      compare(mode, verdicts, measure, 1);
+      compare(mode, verdicts, measure.id, 1);
     }
   }
 }
@@ -471,13 +469,14 @@ TEST_F(AnalyseGl, DecidedObjectsAreLeftAlone) {
   VisibilityPass pass(buffers.objectCount());
   const ScreenSize size{64, 64};
   const GivenMap map(size, std::vector<float>(64 * 64, 0.0F));
-  pass.setView(makeView(scene, {}, size, 0.0F));
+  const gpu::CullView view = makeView(scene, {}, size, 0.0F);
+  pass.setView(view);
   const std::vector<gpu::ObjectState> decided = {{gpu::kVerdictOutside, 0, 20, -1.0F},
                                                  {gpu::kVerdictOccluder, 0, 20, -1.0F},
                                                  {gpu::kVerdictNear, 0, 20, -1.0F},
                                                  {gpu::kVerdictOpen, 0, 20, -1.0F}};
   pass.statesForTest().write(0, std::as_bytes(std::span(decided)));
-  pass.analyse(buffers.bindings(), gpu::kCullHom, {&map.pass, nullptr, nullptr});
+  pass.analyse(buffers.bindings(), view.traits, {&map.pass, nullptr, nullptr});
   const auto states = pass.states().read<gpu::ObjectState>(4);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(states[i].verdict, decided[i].verdict);
@@ -596,14 +595,12 @@ class DrawListGl : public test::GlTest {
 TEST_F(DrawListGl, EqualsTheTwinOnBothDetailPathsAndSubmissions) {
   for (const bool patches : {false, true}) {
     const SceneData scene = scene::buildScene(mixedFile(700), {.patches = patches});
-    gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-    for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
-      if (detail == gpu::kDetailTessellation && !patches) continue;
-      for (const gpu::uint mode : {gpu::kCullHomDepth, gpu::kCullHiz}) {
-        view.detail = detail;
-        view.cullMode = mode;
+    for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+      if (detail == Detail::kTessellation && !patches) continue;
+      for (const CullMode mode : {CullMode::kHomDepth, CullMode::kHiz}) {
+        gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = mode, .detail = detail});
         view.occluderTau = 2.0F;
-        const Input input = randomInput(scene, view.maxTessellation, 17 + mode);
+        const Input input = randomInput(scene, view.maxTessellation, 17 + static_cast<std::uint64_t>(mode));
         for (const gpu::uint phase : {gpu::kMarkEarly, gpu::kMarkLate})
           for (const Submission submission : {Submission::kInstanced, Submission::kPerObject})
             for (const std::uint32_t capacity : {1400U, 700U, 100U, 1U})
@@ -616,8 +613,7 @@ TEST_F(DrawListGl, EqualsTheTwinOnBothDetailPathsAndSubmissions) {
 TEST_F(DrawListGl, EdgesOfTilesScansAndChains) {
   for (const std::uint32_t count : {0U, 1U, 63U, 64U, 65U, 129U}) {
     const SceneData scene = scene::buildScene(mixedFile(count));
-    gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-    view.cullMode = gpu::kCullHiz;
+    const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz});
     Input input = randomInput(scene, 20, count);
     compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, count, false}, input);
     for (gpu::uint& mark : input.marks)
@@ -632,8 +628,7 @@ TEST_F(DrawListGl, EdgesOfTilesScansAndChains) {
 TEST_F(DrawListGl, ManyTilesNeedASecondPrefixSum) {
   const SceneData scene = scene::buildScene(mixedFile(40000));
   EXPECT_GT(scene.binLayout.entryCount, 2 * gpu::kScanBlock);
-  gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-  view.cullMode = gpu::kCullHiz;
+  const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz});
   compare(scene, view, gpu::kMarkEarly, {Submission::kInstanced, 40000, false}, randomInput(scene, 20, 5));
 }
 
@@ -645,15 +640,14 @@ TEST_F(DrawListGl, ManyChainsNeedSeveralRoundsOfCommands) {
     test::addInstance(file, (i * 7919U) % 150, {0, 0, 0}, {i % 5 == 0 ? -1.0F : 1.0F, 1, 1});
   const SceneData scene = scene::buildScene(file);
   EXPECT_GT(scene.binLayout.bins.size(), 4 * gpu::kScanGroupSize);
-  gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-  view.cullMode = gpu::kCullHiz;
+  const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz});
   compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, 3000, false}, randomInput(scene, 20, 6));
 }
 
 class CountGl : public test::GlTest {};
 
 TEST_F(CountGl, FiguresEqualTheTwinAndArriveThroughTheRing) {
-  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+  for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
     const SceneData scene = scene::buildScene(mixedFile(1000), {.patches = true});
     const render::SceneBuffers buffers(scene);
     VisibilityPass pass(buffers.objectCount());
@@ -661,9 +655,7 @@ TEST_F(CountGl, FiguresEqualTheTwinAndArriveThroughTheRing) {
     DrawList list(scene, gpu::kMarkLate, {Submission::kInstanced, 1000, true});
     StatisticsPass ring;
     EXPECT_FALSE(ring.latest().has_value());
-    gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F);
-    view.detail = detail;
-    view.cullMode = gpu::kCullHiz;
+    const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz, .detail = detail});
     pass.setView(view);
     Random random(3);
     std::vector<gpu::ObjectState> states;

@@ -193,7 +193,7 @@ void Viewer::renderDocument(std::size_t index) {
     Side* scene = document.prepare(side, options);
     if (scene == nullptr) continue;
     render::FrameRenderer& renderer = scene->renderer();
-    renderer.timer().setTiming(window_.capabilities().softwareRenderer ? gl::Timing::kWall : gl::Timing::kGpu);
+    renderer.setTiming(window_.capabilities().softwareRenderer ? Timing::kWall : Timing::kGpu);
     const std::optional<RenderCameras> cameras = camerasFor(index, side);
     if (!cameras) continue;
     renderer.render(options.frameOptions, cameras->cull, cameras->draw);
@@ -201,7 +201,7 @@ void Viewer::renderDocument(std::size_t index) {
     if (charted_ != &document) state_.history.clear();
     charted_ = &document;
     if (const auto statistics = renderer.latestStatistics())
-      state_.history.add(makeSample(now(), renderer.timer().passes(), *statistics));
+      state_.history.add(makeSample(now(), renderer.passTimes(), *statistics));
   }
 }
 

@@ -1,5 +1,5 @@
 // Reads the counters by name.
-#include "render/frame_statistics.h"
+#include "render/make_statistics.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ FullTriangles countFullTriangles(const scene::SceneData& scene) {
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
                                const FullTriangles& full, std::uint64_t dropped) {
   const auto verdicts = [&](gpu::uint verdict) -> std::uint64_t { return counters[gpu::kCounterVerdicts + verdict]; };
-  const bool patches = view.detail == gpu::kDetailTessellation;
+  const bool patches = (view.traits & gpu::kTraitPatches) != 0;
   FrameStatistics result;
   result.objects = view.objectCount;
   result.culledFrustum = verdicts(gpu::kVerdictOutside);

@@ -1,0 +1,90 @@
+// One row per culling mode.
+#include "policy/cull_mode.h"
+
+#include "policy/table.h"
+
+namespace jalousie {
+namespace {
+
+constexpr CullModeRow kModes[] = {
+    {.name = "full",
+     .id = CullMode::kFull,
+     .culls = false,
+     .testsOcclusion = false,
+     .usesMap = false,
+     .usesDepth = false,
+     .twoPhases = false,
+     .conservative = true,
+     .needsHistory = false,
+     .readsBack = false,
+     .occluderTau = 0.0F,
+     .help = "no culling"},
+    {.name = "frustum",
+     .id = CullMode::kFrustum,
+     .culls = true,
+     .testsOcclusion = false,
+     .usesMap = false,
+     .usesDepth = false,
+     .twoPhases = false,
+     .conservative = true,
+     .needsHistory = false,
+     .readsBack = false,
+     .occluderTau = 0.0F,
+     .help = "frustum culling"},
+    {.name = "hom",
+     .id = CullMode::kHom,
+     .culls = true,
+     .testsOcclusion = true,
+     .usesMap = true,
+     .usesDepth = false,
+     .twoPhases = false,
+     .conservative = false,
+     .needsHistory = false,
+     .readsBack = false,
+     .occluderTau = 0.0F,
+     .help = "hierarchical occlusion map without depth, as in the thesis"},
+    {.name = "hom-depth",
+     .id = CullMode::kHomDepth,
+     .culls = true,
+     .testsOcclusion = true,
+     .usesMap = true,
+     .usesDepth = true,
+     .twoPhases = false,
+     .conservative = true,
+     .needsHistory = false,
+     .readsBack = false,
+     .occluderTau = 0.5F,
+     .help = "occlusion map in which occluders hide only what lies behind them"},
+    {.name = "hiz",
+     .id = CullMode::kHiz,
+     .culls = true,
+     .testsOcclusion = true,
+     .usesMap = false,
+     .usesDepth = true,
+     .twoPhases = true,
+     .conservative = true,
+     .needsHistory = true,
+     .readsBack = false,
+     .occluderTau = 0.0F,
+     .help = "two phases against a depth pyramid; never culls a visible object"},
+};
+static_assert(policy::isInOrder(kModes));
+
+}  // namespace
+
+std::span<const CullModeRow> cullModeTable() {
+  return kModes;
+}
+
+const CullModeRow& rowOf(CullMode mode) {
+  return policy::row(cullModeTable(), mode);
+}
+
+gpu::uint traitsOf(CullMode mode) {
+  const CullModeRow& row = rowOf(mode);
+  return (row.culls ? gpu::kTraitCulls : 0) | (row.testsOcclusion ? gpu::kTraitTestsOcclusion : 0) |
+         (row.usesMap ? gpu::kTraitUsesMap : 0) | (row.usesDepth ? gpu::kTraitUsesDepth : 0) |
+         (row.twoPhases ? gpu::kTraitTwoPhases : 0);
+}
+
+}  // namespace jalousie

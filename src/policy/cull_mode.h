@@ -1,0 +1,41 @@
+// The culling modes: one table that command line, panel, legends, comparison, kernels, CPU twins and docs read.
+#pragma once
+
+#include <span>
+
+#include "shared/traits.h"
+
+namespace jalousie {
+
+/// How objects that cannot be seen are found. Values index cullModeTable().
+enum class CullMode : gpu::uint {
+  kFull,      ///< no culling
+  kFrustum,   ///< frustum culling
+  kHom,       ///< hierarchical occlusion map (Zhang 1997; thesis ch. 3)
+  kHomDepth,  ///< the same map, where a texel occludes only what lies behind it
+  kHiz,       ///< two phases against the depth of what was visible in the last frame
+};
+
+/// One row of the table. Every property of a mode stands here and nowhere else.
+struct CullModeRow {
+  const char* name;  ///< value of --mode
+  CullMode id;
+  bool culls;           ///< objects outside the frustum or below --min-pixels are not drawn
+  bool testsOcclusion;  ///< objects are tested for occlusion; block measures and their views need this
+  bool usesMap;         ///< occluders are drawn into an occlusion map before the test
+  bool usesDepth;       ///< the test compares with a depth pyramid
+  bool twoPhases;       ///< objects visible in the last frame are drawn before the test
+  bool conservative;    ///< with default options no visible pixel is lost
+  bool needsHistory;    ///< the frame depends on the frames before it
+  bool readsBack;       ///< the CPU waits for the GPU inside the frame
+  float occluderTau;    ///< default of --occluder-tau, pixels; with usesMap
+  const char* help;     ///< phrase for --help, panel and docs
+};
+
+/// All modes, in the order of CullMode.
+std::span<const CullModeRow> cullModeTable();
+const CullModeRow& rowOf(CullMode mode);
+/// kTrait... of shared/traits.h.
+gpu::uint traitsOf(CullMode mode);
+
+}  // namespace jalousie

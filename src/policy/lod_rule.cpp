@@ -1,0 +1,52 @@
+// One row per level rule.
+#include "policy/lod_rule.h"
+
+#include "policy/table.h"
+
+namespace jalousie {
+namespace {
+
+constexpr LodRuleRow kRules[] = {
+    {.name = "finest",
+     .id = LodRule::kFinest,
+     .followsError = false,
+     .followsLv = false,
+     .measure = LvMeasure::kNone,
+     .help = "always LOD 0"},
+    {.name = "linear",
+     .id = LodRule::kLinear,
+     .followsError = false,
+     .followsLv = true,
+     .measure = LvMeasure::kThesis,
+     .help = "LV mapped linearly onto the levels, as in the thesis"},
+    {.name = "pixel-error",
+     .id = LodRule::kPixelError,
+     .followsError = true,
+     .followsLv = false,
+     .measure = LvMeasure::kNone,
+     .help = "coarsest level whose screen-space error is at most --tau"},
+    {.name = "lv-error",
+     .id = LodRule::kLvError,
+     .followsError = true,
+     .followsLv = true,
+     .measure = LvMeasure::kPixels,
+     .help = "pixel-error with a larger --tau for partly occluded objects"},
+};
+static_assert(policy::isInOrder(kRules));
+
+}  // namespace
+
+std::span<const LodRuleRow> lodRuleTable() {
+  return kRules;
+}
+
+const LodRuleRow& rowOf(LodRule rule) {
+  return policy::row(lodRuleTable(), rule);
+}
+
+gpu::uint traitsOf(LodRule rule) {
+  const LodRuleRow& row = rowOf(rule);
+  return (row.followsError ? gpu::kTraitFollowsError : 0) | (row.followsLv ? gpu::kTraitFollowsLv : 0);
+}
+
+}  // namespace jalousie

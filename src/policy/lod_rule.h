@@ -1,0 +1,35 @@
+// The rules by which an object gets its level of detail, in one table.
+#pragma once
+
+#include <span>
+
+#include "policy/lv_measure.h"
+#include "shared/traits.h"
+
+namespace jalousie {
+
+/// Values index lodRuleTable().
+enum class LodRule : gpu::uint {
+  kFinest,      ///< LOD 0
+  kLinear,      ///< LV mapped linearly onto the levels (thesis 4.1.3)
+  kPixelError,  ///< coarsest level whose screen-space error is at most tau
+  kLvError,     ///< the same, with tau relaxed by LV
+};
+
+/// One row of the table.
+struct LodRuleRow {
+  const char* name;  ///< value of --lod
+  LodRule id;
+  bool followsError;  ///< uses tau; hysteresis and cross-fades apply
+  bool followsLv;     ///< uses the level of visibility
+  LvMeasure measure;  ///< measure of LV where none is chosen
+  const char* help;   ///< phrase for --help, panel and docs
+};
+
+/// All rules, in the order of LodRule.
+std::span<const LodRuleRow> lodRuleTable();
+const LodRuleRow& rowOf(LodRule rule);
+/// kTrait... of shared/traits.h.
+gpu::uint traitsOf(LodRule rule);
+
+}  // namespace jalousie

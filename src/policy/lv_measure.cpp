@@ -1,0 +1,63 @@
+// One row per measure.
+#include "policy/lv_measure.h"
+
+#include "policy/table.h"
+
+namespace jalousie {
+namespace {
+
+constexpr LvMeasureRow kMeasures[] = {
+    {.name = "none",
+     .id = LvMeasure::kNone,
+     .trait = 0,
+     .readsBlock = false,
+     .countsPixels = false,
+     .help = "every object counts as fully visible"},
+    {.name = "thesis",
+     .id = LvMeasure::kThesis,
+     .trait = gpu::kTraitLvThesis,
+     .readsBlock = true,
+     .countsPixels = false,
+     .help = "level of visibility from four DCT coefficients"},
+    {.name = "spectral",
+     .id = LvMeasure::kSpectral,
+     .trait = gpu::kTraitLvSpectral,
+     .readsBlock = true,
+     .countsPixels = false,
+     .help = "share of high frequencies in the open area"},
+    {.name = "chord",
+     .id = LvMeasure::kChord,
+     .trait = gpu::kTraitLvChord,
+     .readsBlock = true,
+     .countsPixels = false,
+     .help = "covered share, reduced where the mean open chord is long"},
+    {.name = "coverage",
+     .id = LvMeasure::kCoverage,
+     .trait = gpu::kTraitLvCoverage,
+     .readsBlock = true,
+     .countsPixels = false,
+     .help = "covered share alone"},
+    {.name = "pixels",
+     .id = LvMeasure::kPixels,
+     .trait = gpu::kTraitLvPixels,
+     .readsBlock = false,
+     .countsPixels = true,
+     .help = "visible pixels counted in a recent frame"},
+};
+static_assert(policy::isInOrder(kMeasures));
+
+}  // namespace
+
+std::span<const LvMeasureRow> lvMeasureTable() {
+  return kMeasures;
+}
+
+const LvMeasureRow& rowOf(LvMeasure measure) {
+  return policy::row(lvMeasureTable(), measure);
+}
+
+gpu::uint traitsOf(LvMeasure measure) {
+  return rowOf(measure).trait;
+}
+
+}  // namespace jalousie

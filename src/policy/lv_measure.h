@@ -1,0 +1,30 @@
+// The measures of how occluded an object is, in one table (docs/level_of_visibility.md).
+#pragma once
+
+#include <span>
+
+#include "shared/traits.h"
+
+namespace jalousie {
+
+/// Measures h in [0, 1]; an object's LV is 2 h - 1, except that the thesis' own may lie below -1.
+/// Values index lvMeasureTable().
+enum class LvMeasure : gpu::uint { kNone, kThesis, kSpectral, kChord, kCoverage, kPixels };
+
+/// One row of the table.
+struct LvMeasureRow {
+  const char* name;  ///< value of --lv
+  LvMeasure id;
+  gpu::uint trait;  ///< kTraitLv... of shared/traits.h; 0 for none
+  bool readsBlock;  ///< computed from a block of the occlusion map or depth pyramid: needs a mode that tests occlusion
+  bool countsPixels;  ///< counted in past frames: needs history
+  const char* help;   ///< phrase for --help, panel and docs
+};
+
+/// All measures, in the order of LvMeasure.
+std::span<const LvMeasureRow> lvMeasureTable();
+const LvMeasureRow& rowOf(LvMeasure measure);
+/// kTrait... of shared/traits.h.
+gpu::uint traitsOf(LvMeasure measure);
+
+}  // namespace jalousie
