@@ -2,10 +2,12 @@
 //
 //   bake_judge REFERENCE FILE[@LOD]...      prints one JSON object per FILE
 //
-// The measure uses 200,000 random points each way (fixed seed), which are not the points that the baker measures with.
-// It reports distances in % of the reference's diagonal (mean of the two one-sided means, larger one of the two maxima)
-// and the mean angle between interpolated shading normals in degrees. All meshes of a scene are taken together, in
-// object space. LOD chooses a level of a file with MSFT_lod; default 0.
+// `mean`, `max` and `normal` come from 200,000 random points each way (fixed seed), which are not the points that the
+// baker measures with: mean of the two one-sided mean distances, larger one of the two sampled maxima, and mean angle
+// between interpolated shading normals in degrees. `stored` is the error that jalousie-bake would store for the mesh
+// (DeviationMeter): a conservative two-sided maximum, never below a sampled distance. Distances are in % of the
+// reference's diagonal. All meshes of a scene are taken together, in object space. LOD chooses a level of a file with
+// MSFT_lod; default 0.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 #include "asset/lod_chain.h"
 #include "bake/combined_mesh.h"
 #include "bake/import.h"
+#include "bake/measure.h"
 #include "bake/surface_samples.h"
 #include "bake/threads.h"
 #include "bake/triangle_bvh.h"
@@ -40,6 +43,7 @@ void append(WedgeMesh& whole, const WedgeMesh& part) {
   const bake::AttributeSlot* normals = part.slot("NORMAL");
   for (std::uint32_t w = 0; w < part.vertexOf.size(); ++w) {
     whole.vertexOf.push_back(vertices + part.vertexOf[w]);
+    whole.sourceWedge.push_back(~0U);  // no wedge of the reference: texture charts are not compared
     const glm::vec3 n = normals != nullptr ? part.vec3At(w, *normals) : glm::vec3(0.0F);
     whole.attributes.insert(whole.attributes.end(), {n.x, n.y, n.z});
   }
@@ -135,6 +139,7 @@ void run(int argc, char** argv) {
   for (const glm::vec3& p : reference.positions)
     box.add(p);
   const double percent = 100.0 / box.diagonal();
+  const bake::DeviationMeter meter(reference);
   for (int i = 2; i < argc; ++i) {
     const WedgeMesh mesh = load(argv[i]);
     const Side to = judge(mesh, reference, referenceBvh, 1);
@@ -143,6 +148,7 @@ void run(int argc, char** argv) {
                                          {"triangles", mesh.triangles()},
                                          {"mean", 0.5 * (to.mean + from.mean) * percent},
                                          {"max", std::max(to.max, from.max) * percent},
+                                         {"stored", meter.measure(mesh).twoSided.max * percent},
                                          {"normal", 0.5 * (to.degrees + from.degrees)},
                                          {"to_max", to.max * percent},
                                          {"from_max", from.max * percent}};
