@@ -17,13 +17,13 @@
 #include <string>
 
 #include "asset/lod_chain.h"
-#include "bake/combined_mesh.h"
-#include "bake/import.h"
-#include "bake/measure.h"
-#include "bake/surface_samples.h"
-#include "bake/threads.h"
-#include "bake/triangle_bvh.h"
-#include "bake/wedge_mesh.h"
+#include "bake/io/gltf_mesh.h"
+#include "bake/io/import.h"
+#include "bake/mesh/surface_samples.h"
+#include "bake/mesh/triangle_bvh.h"
+#include "bake/mesh/wedges.h"
+#include "bake/pipeline/threads.h"
+#include "bake/simplify/measure.h"
 #include "core/aabb.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -113,7 +113,7 @@ Side judge(const WedgeMesh& from, const WedgeMesh& to, const bake::TriangleBvh& 
   const std::vector<bake::SurfaceSample> samples = randomSamples(from, seed);
   std::vector<double> distances(samples.size());
   std::vector<double> degrees(samples.size());
-  bake::forSlices(samples.size(), [&](std::size_t begin, std::size_t end) {
+  bake::threadedSlices(0)(samples.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const glm::dvec3 b(samples[i].barycentric);
       const bake::NearestPoint nearest = bvh.nearest(bake::positionAt(from, samples[i].triangle, b));
