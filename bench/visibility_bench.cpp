@@ -1,11 +1,10 @@
 // Measures the cost per object of deciding what to draw: the occlusion culling modes against frustum culling alone, on
 // spheres behind a perforated wall. On a software renderer, compare rows of one run only.
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <vector>
 
