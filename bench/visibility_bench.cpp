@@ -2,11 +2,10 @@
 // spheres behind a perforated wall. On a software renderer, compare rows of one run only.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
-#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <vector>
 

@@ -17,6 +17,7 @@
 #include "app/view/view_state.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
+#include "gl/shader_source.h"
 #include "platform/window.h"
 
 namespace jalousie::app {

@@ -72,7 +72,7 @@ function leadSentence() {
   const time = c.frame_ratio;
   const differs = time.q3 < 1 || time.q1 > 1;
   if (time.median > 0 && differs) parts.push(` in ${percent(time.median)} of its ${timeName}`);
-  else if (time.median > 0) parts.push(` in about the same ${timeName} (${percent(time.median)})`);
+  else if (time.median > 0) parts.push(`, with no clear difference in ${timeName} (median ${percent(time.median)})`);
   const [flip, baseFlip] = [meanFlip(c), meanFlip(base)];
   if (flip == null) parts.push('. Pictures were not compared.');
   else if (small(flip) === small(baseFlip)) parts.push(`, with the same FLIP (${small(flip)}).`);
