@@ -1,19 +1,17 @@
-// What every culling mode loses and saves on a scene: wrong pixels against the frame without culling, hidden objects
-// and triangles, along four kinds of camera path (around, through, fast turns, cuts). The honest numbers of every mode.
-//
-//   build/release/bin/culling_bench [--json] [--size WxH] [--frames N] SCENE...
-//
-// SCENE is a glTF file, or ground-plane or leaf-cards: the procedural scenes of the tests.
+// Measures what every culling mode culls and loses: wrong pixels against the frame without culling, culled objects and
+// triangles, along four kinds of camera path (around, through, fast turns, cuts).
+#include <fmt/format.h>
+
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/number_option.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
-#include "platform/headless_context.h"
+#include "gl_bench.h"
+#include "scene/scene_data.h"
 #include "support/culling.h"
 
 namespace {
@@ -22,42 +20,27 @@ using namespace jalousie;
 
 struct Mode {
   const char* name;
-  gpu::uint cullMode;
+  CullMode cullMode;
   float cullThreshold;
+  bool conservative;  ///< must not cull a visible pixel; checked
 };
+/// The first one is the baseline: frustum culling alone.
 constexpr Mode kModes[] = {
-    {"frustum", gpu::kCullFrustum, 1.0F},           {"hom", gpu::kCullHom, 1.0F},
-    {"hom, threshold 0.95", gpu::kCullHom, 0.95F},  {"hom-depth", gpu::kCullHomDepth, 1.0F},
-    {"hom-depth, 0.95", gpu::kCullHomDepth, 0.95F}, {"hiz", gpu::kCullHiz, 1.0F},
+    {"frustum", CullMode::kFrustum, 1.0F, true},
+    {"hom", CullMode::kHom, 1.0F, false},
+    {"hom, threshold 0.95", CullMode::kHom, 0.95F, false},
+    {"hom-depth", CullMode::kHomDepth, 1.0F, true},
+    {"hom-depth, 0.95", CullMode::kHomDepth, 0.95F, false},
+    {"hiz", CullMode::kHiz, 1.0F, true},
 };
 
 struct Arguments {
-  bool json = false;
-  std::uint32_t width = 640;
-  std::uint32_t height = 360;
+  std::string size = "640x360";
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
   std::uint32_t frames = 40;
   std::vector<std::string> scenes;
 };
-
-bool parse(int argc, char** argv, Arguments& arguments) {
-  for (int i = 1; i < argc; ++i) {
-    const bool hasValue = i + 1 < argc;
-    if (std::strcmp(argv[i], "--json") == 0) {
-      arguments.json = true;
-    } else if (std::strcmp(argv[i], "--size") == 0 && hasValue) {
-      if (std::sscanf(argv[++i], "%ux%u", &arguments.width, &arguments.height) != 2) return false;
-    } else if (std::strcmp(argv[i], "--frames") == 0 && hasValue) {
-      arguments.frames = static_cast<std::uint32_t>(std::strtoul(argv[++i], nullptr, 10));
-    } else if (argv[i][0] != '-') {
-      arguments.scenes.emplace_back(argv[i]);
-    } else {
-      return false;
-    }
-  }
-  const bool sizeFits =
-      arguments.width >= 1 && arguments.height >= 1 && arguments.width <= 8192 && arguments.height <= 8192;
-  return !arguments.scenes.empty() && sizeFits && arguments.frames >= 4;
-}
 
 asset::SceneFile load(const std::string& scene) {
   if (scene == "ground-plane") return test::groundPlane(800, 1);
@@ -65,63 +48,91 @@ asset::SceneFile load(const std::string& scene) {
   return asset::readSceneFile(scene);
 }
 
-void report(const Arguments& arguments, const test::Journey& journey, nlohmann::ordered_json& json) {
-  if (!arguments.json)
-    std::printf(
-        "%s, %ux%u, %u frames\n| mode | wrong pixels | worst frame | objects hidden | triangles "
-        "|\n|---|---|---|---|---|\n",
-        journey.name.c_str(), arguments.width, arguments.height, arguments.frames);
+test::CullingLoss measure(const Arguments& arguments, const test::Journey& journey, const Mode& mode) {
+  render::FrameOptions options = test::pixelErrorOptions();
+  options.cullMode = mode.cullMode;
+  options.cullThreshold = mode.cullThreshold;
+  const test::CullingLoss loss =
+      test::countLoss(journey, arguments.width, arguments.height, options, 0, arguments.frames);
+  if (mode.conservative)
+    bench::require(loss.wrongPixels == 0, fmt::format("{}: {} is conservative but culled {} visible pixels",
+                                                      journey.name, mode.name, loss.wrongPixels));
+  bench::require(loss.triangles <= loss.referenceTriangles,
+                 fmt::format("{}: {} drew more triangles than there are", journey.name, mode.name));
+  return loss;
+}
+
+void printHead(const Arguments& arguments, const test::Journey& journey) {
+  fmt::print(
+      "{}, {}x{}, {} frames; triangles in % of those without culling\n"
+      "| mode | wrong pixels | worst frame | objects culled by occlusion | triangles |\n|---|---|---|---|---|\n",
+      journey.name, arguments.width, arguments.height, arguments.frames);
+}
+
+void printRow(const Arguments& arguments, const Mode& mode, const test::CullingLoss& loss) {
+  const auto frames = static_cast<double>(loss.frames);
+  const double pixels = static_cast<double>(arguments.width) * arguments.height * frames;
+  fmt::print("| {} | {} ({:.3f} %) | {} | {:.0f} per frame | {:.1f} % |\n", mode.name, loss.wrongPixels,
+             100.0 * static_cast<double>(loss.wrongPixels) / pixels, loss.worstFrame,
+             static_cast<double>(loss.culled) / frames,
+             100.0 * static_cast<double>(loss.triangles) / static_cast<double>(loss.referenceTriangles));
+  std::fflush(stdout);
+}
+
+void measureScene(const Arguments& arguments, const std::string& name, nlohmann::ordered_json& figures) {
+  test::Journey journey{name, scene::buildScene(load(name)), {}, {}};
+  if (journey.scene.objects.empty()) throw Error(ErrorCode::kUsage, "the scene has no objects", name);
+  journey.camera = test::tour(journey.scene, arguments.frames / 4, 7);
+  printHead(arguments, journey);
   for (const Mode& mode : kModes) {
-    render::FrameOptions options = test::pixelErrorOptions();
-    options.cullMode = mode.cullMode;
-    options.cullThreshold = mode.cullThreshold;
-    const test::CullingLoss loss =
-        test::countLoss(journey, arguments.width, arguments.height, options, 0, arguments.frames);
-    const double pixels = static_cast<double>(arguments.width) * arguments.height * static_cast<double>(loss.frames);
-    const double share = 100.0 * static_cast<double>(loss.wrongPixels) / pixels;
-    const double triangles = 100.0 * static_cast<double>(loss.triangles) / static_cast<double>(loss.referenceTriangles);
-    if (arguments.json) {
-      json.push_back({{"scene", journey.name},
-                      {"mode", mode.name},
-                      {"frames", loss.frames},
-                      {"wrong_pixels", loss.wrongPixels},
-                      {"worst_frame", loss.worstFrame},
-                      {"hidden", loss.culled},
-                      {"triangles", loss.triangles},
-                      {"triangles_without_culling", loss.referenceTriangles}});
-    } else {
-      std::printf("| %s | %llu (%.3f %%) | %llu | %.0f a frame | %.1f %% |\n", mode.name,
-                  static_cast<unsigned long long>(loss.wrongPixels), share,
-                  static_cast<unsigned long long>(loss.worstFrame),
-                  static_cast<double>(loss.culled) / static_cast<double>(loss.frames), triangles);
-      std::fflush(stdout);
-    }
+    const test::CullingLoss loss = measure(arguments, journey, mode);
+    printRow(arguments, mode, loss);
+    figures.push_back({{"scene", name},
+                       {"mode", mode.name},
+                       {"frames", loss.frames},
+                       {"wrong_pixels", loss.wrongPixels},
+                       {"worst_frame", loss.worstFrame},
+                       {"culled_occlusion", loss.culled},
+                       {"triangles", loss.triangles},
+                       {"triangles_without_culling", loss.referenceTriangles}});
   }
+}
+
+/// "WxH" with both sides in [1, 8192]. Errors: kUsage.
+void parseSize(Arguments& arguments) {
+  char rest = 0;
+  const int read = std::sscanf(arguments.size.c_str(), "%ux%u%c", &arguments.width, &arguments.height, &rest);
+  if (read != 2 || arguments.width < 1 || arguments.height < 1 || arguments.width > 8192 || arguments.height > 8192)
+    throw Error(ErrorCode::kUsage, fmt::format("--size {}: expected WxH with sides in 1..8192", arguments.size));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Arguments arguments;
-  if (!parse(argc, argv, arguments)) {
-    std::fprintf(stderr,
-                 "usage: culling_bench [--json] [--size WxH] [--frames N] SCENE...   (a glTF file, ground-plane or "
-                 "leaf-cards)\n");
-    return 2;
-  }
-  try {
-    const platform::HeadlessContext context(false);
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const std::string& file : arguments.scenes) {
-      test::Journey journey{file, scene::buildScene(load(file)), {}, {}};
-      if (journey.scene.objects.empty()) throw Error(ErrorCode::kUsage, "the scene is empty", file);
-      journey.camera = test::tour(journey.scene, arguments.frames / 4, 7);
-      report(arguments, journey, json);
-    }
-    if (arguments.json) std::printf("%s\n", json.dump(2).c_str());
-    return 0;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "culling_bench: %s\n", error.what());
-    return error.exitCode();
-  }
+  bench::GlBench bench(
+      "culling_bench", "Counts wrong pixels, culled objects and triangles of every culling mode along a camera path",
+      R"(The path has four parts of equal length: around the scene, through it, fast turns, and cuts. Every frame is compared
+with the same frame without culling. The exit code is 1 if a conservative mode culls a visible pixel.
+Examples:
+  culling_bench ground-plane leaf-cards
+      measures the two procedural scenes of the tests
+  culling_bench --frames 80 --size 1280x720 --json culling.json city.glb
+      measures a scene of your own and writes the figures
+)");
+  bench.options()
+      .add_option("scenes", arguments.scenes, "glTF files, or the procedural scenes ground-plane and leaf-cards")
+      ->required()
+      ->type_name("SCENE");
+  bench.options()
+      .add_option("--size", arguments.size, "Image size, at most 8192 a side; pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  app::addNumber(bench.options(), "--frames", arguments.frames, {4, 100000}, "Length of the path; frames");
+  return bench.run(argc, argv, [&](nlohmann::ordered_json& figures) {
+    parseSize(arguments);
+    figures = nlohmann::ordered_json::array();
+    for (const std::string& scene : arguments.scenes)
+      measureScene(arguments, scene, figures);
+  });
 }

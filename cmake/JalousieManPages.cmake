@@ -45,4 +45,5 @@ endif()
 
 get_property(pages GLOBAL PROPERTY JALOUSIE_MAN_PAGES)
 add_custom_target(jalousie_man_pages ALL DEPENDS ${pages})
-install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+# Absent pages do not stop an installation: a build of single targets has none.
+install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)

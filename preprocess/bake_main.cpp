@@ -5,10 +5,11 @@
 #include <optional>
 
 #include "asset/gltf_file.h"
-#include "bake/bake_command.h"
-#include "bake/command_line.h"
-#include "bake/inspect.h"
-#include "bake/sheet.h"
+#include "bake/pipeline/bake_command.h"
+#include "bake/pipeline/command_line.h"
+#include "bake/pipeline/threads.h"
+#include "bake/report/inspect.h"
+#include "bake/report/sheet.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/standard_streams.h"
@@ -24,6 +25,7 @@ void inspect(const bake::CommandLine& command) {
   if (!command.sheet.empty()) {
     bake::SheetOptions options;
     options.title = file.filename().string();
+    options.slices = bake::threadedSlices(0);
     writeFileAtomic(command.sheet, bake::sheetHtml(model, options));
   }
   if (command.json == "-") {

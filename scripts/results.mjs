@@ -1,4 +1,4 @@
-// Writes results.md, its curves and its pictures from the reports of scripts/reproduce.
+// Writes docs/results.md, its charts and its pictures from the reports of scripts/reproduce.
 //   node scripts/results.mjs REPORTS DOCS
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -18,7 +18,7 @@ const DASHES = ['solid', [7, 3], 'solid', [2, 3], 'solid', [10, 3, 2, 3], [5, 2]
 const summaryOf = (name) => JSON.parse(readFileSync(`${reports}/${name}/summary.json`, 'utf8'));
 const configuration = (summary, name) => summary.configurations.find((c) => c.name === name);
 
-/// Rows of frames.csv as objects; the names here hold no commas.
+/// Rows of frames.csv as objects. The names in these reports contain no commas.
 function framesOf(name) {
   const [head, ...lines] = readFileSync(`${reports}/${name}/frames.csv`, 'utf8').trim().split('\n');
   const keys = head.split(',');
@@ -132,22 +132,28 @@ function timeRatios(scene, name) {
   return of(name).map((ms, i) => (ms / base[i]).toPrecision(2)).join(', ');
 }
 const winsInside = (scene) => (Number(timeRatios(scene, 'hom').split(', ').at(-1)) < 1 ? 'agreed'
-  : 'not agreed, with objects this far apart the map hides too few of them even inside');
+  : 'not agreed: with objects this far apart, the map culls too few of them even inside');
 const percent = (value) => `${(100 * value).toPrecision(2)} %`;
 const within = (value, text, otherwise) => (value ? text : otherwise);
 const culledOutside = 1 - ratioOf(small, 'hom', 0, 900);
 const lvInside = ratioOf(small, 'hom+lv-tessellation', 1200, 1800);
 const lvOutside = ratioOf(small, 'hom+lv-tessellation', 0, 900);
 
-writeFileSync(`${docs}/results.md`, `# The thesis' results, redone
+writeFileSync(`${docs}/results.md`, `# The thesis' experiments, repeated
 
-\`scripts/reproduce\` measures and writes this page: ${renderer}, ${width}x${height}. Triangle counts do not depend on the driver; times are
-ratios within one run. The scenes are those of the thesis (Kristmann 2022, 4.2) as far as it describes them; the side of its cubes and the
-distance of its occluders are our choices.
+\`scripts/reproduce\` measures the figures and writes this page. Renderer: ${renderer}, ${width}x${height}. Triangle counts do not depend on the
+driver; times are ratios within one run. The scenes follow the thesis (Kristmann 2022, 4.2). It does not state the side of its cubes and
+the occluder distance, so these are our choices.
 
-\`frustum-finest\`, \`hom\` and \`hom+lv-tessellation\` are the thesis' three methods: frustum culling, its occlusion map without and with
-levels of visibility, all else at full detail. \`hom+lv\` maps LV onto discrete levels instead, \`hiz\` is two-phase culling with a pixel error,
-\`default\` relaxes that error by counted visibility, \`tessellation\` spends the same budget on Phong tessellation.
+| configuration | method |
+|---|---|
+| \`frustum-finest\` | thesis: frustum culling, every object at its finest level |
+| \`hom\` | thesis: frustum culling and occlusion map, every object at its finest level |
+| \`hom+lv-tessellation\` | thesis: the same occlusion map, and the level of visibility (LV) chooses the tessellation level |
+| \`hom+lv\` | the same, but LV chooses a level of a discrete LOD chain |
+| \`hiz\` | two-phase culling, levels by screen-space error |
+| \`default\` | the same, with a larger screen-space error for mostly occluded objects |
+| \`tessellation\` | the default with Phong tessellation instead of discrete levels |
 
 ## 5001 bunnies in a small cube (Fig. 4.6, 4.7)
 
@@ -165,55 +171,57 @@ ${pathTable(large)}
 
 ${timesTable('thesis-10001')}
 
-## Where we agree with the thesis, and where not
+## Comparison with the thesis' findings
 
-- **Plain occlusion culling loses outside the small cube.** The thesis: it culls nothing there and costs more than frustum culling. Here it leaves
-  out ${percent(culledOutside)} of the triangles from outside: ${within(culledOutside < 0.05, 'agreed', 'more than reported')}.
-- **LV with tessellation saves.** The thesis: 132.9 M of 294.1 M triangles (45 %) in its pictured view, up to 30 % less than everything from
-  outside. Here the path outside takes ${percent(lvOutside)} of full detail: ${within(lvOutside < 0.9, 'agreed in kind', 'less than reported')}; the amount follows from the
-  distance within which objects are occluders, which are drawn at full detail.
-- **Inside, culling and LV share the work.** There the map leaves ${percent(ratioOf(small, 'hom', 1200, 1800))} of what frustum culling draws, LV ${percent(lvInside)} of it.
-- **The map costs a pass over the occluders**, and pays where it hides more than that. The thesis: plain occlusion culling loses to frustum culling outside and wins
-  inside. Here \`hom\` takes ${timeRatios('thesis-5001', 'hom')} of frustum culling's frame time in the small cube: ${winsInside('thesis-5001')}; in the large one
-  ${timeRatios('thesis-10001', 'hom')}: ${winsInside('thesis-10001')}.
-  With LV it is ${timeRatios('thesis-5001', 'hom+lv')} and ${timeRatios('thesis-10001', 'hom+lv')} on discrete levels, ${timeRatios('thesis-5001', 'hom+lv-tessellation')} and
-  ${timeRatios('thesis-10001', 'hom+lv-tessellation')} tessellated: this renderer has no unit for it, and tessellates much slower than it draws.
-- **Against today's baseline the thesis' method does not hold.** LV ignores the size on screen: a pixel error draws ${percent(ratioOf(small, 'hiz', 0, 1800) / ratioOf(small, 'hom+lv-tessellation', 0, 1800))} of
-  its triangles over the path, ${percent(ratioOf(small, 'hiz', 1200, 1800) / ratioOf(small, 'hom+lv-tessellation', 1200, 1800))} inside. As a factor on top of that error visibility pays ([detail](lod_selection.md#does-it-pay)).
+- **Occlusion culling alone is slower than frustum culling outside the small cube.** The thesis: it culls nothing there and costs more than
+  frustum culling. Here it culls ${percent(culledOutside)} of the triangles outside: ${within(culledOutside < 0.05, 'agreed', 'more than reported')}.
+- **LV with tessellation saves triangles.** The thesis: 132.9 M of 294.1 M triangles (45 %) in its pictured view, and up to 30 % fewer triangles
+  outside. Here the frames outside take ${percent(lvOutside)} of the triangles of the finest level: ${within(lvOutside < 0.9, 'agreed in kind', 'less is saved than reported')}. The
+  amount depends on the occluder distance, because occluders are drawn at their finest level.
+- **Inside, both culling and LV save triangles.** The occlusion map leaves ${percent(ratioOf(small, 'hom', 1200, 1800))} of the triangles that frustum culling draws, with LV ${percent(lvInside)}.
+- **The occlusion map costs a pass over the occluders.** It saves time where it culls more than this pass costs. The thesis: occlusion culling
+  alone is slower than frustum culling outside and faster inside. Frame times here, over that of frustum culling, at frames 1100, 1300 and
+  1500: \`hom\` ${timeRatios('thesis-5001', 'hom')} in the small cube (${winsInside('thesis-5001')}) and ${timeRatios('thesis-10001', 'hom')} in the large
+  one (${winsInside('thesis-10001')}). \`hom+lv\`: ${timeRatios('thesis-5001', 'hom+lv')} and
+  ${timeRatios('thesis-10001', 'hom+lv')}. \`hom+lv-tessellation\`: ${timeRatios('thesis-5001', 'hom+lv-tessellation')} and ${timeRatios('thesis-10001', 'hom+lv-tessellation')}; a software renderer
+  has no tessellation hardware and tessellates much more slowly than it draws.
+- **Levels by screen-space error need far fewer triangles than the thesis' method.** LV ignores the size on the screen. \`hiz\` draws ${percent(ratioOf(small, 'hiz', 0, 1800) / ratioOf(small, 'hom+lv-tessellation', 0, 1800))} of the
+  triangles of \`hom+lv-tessellation\` over the path and ${percent(ratioOf(small, 'hiz', 1200, 1800) / ratioOf(small, 'hom+lv-tessellation', 1200, 1800))} inside. Visibility saves triangles as a factor on the screen-space error
+  ([measurements](lod_selection.md#does-it-pay)).
 
 ## Phong tessellation against discrete levels
 
-Same budget, thesis-5001, frames 1100, 1300 and 1500, error against full detail:
+Both with the same error budgets: thesis-5001, frames 1100, 1300 and 1500; error against the finest level.
 
 ![FLIP over triangles](images/results-detail.svg)
 
 ${detail}
 
-The patches are pieces of a smooth surface over the coarsest level (98 triangles). However fine they are, the surface is not the bunny's: their error
-has a floor, and discrete levels have none. The thesis does not meet it, because its full detail is that smooth surface itself; the errors of
-\`tessellation\` on this page are errors to the scanned bunny. For a base mesh whose smooth surface *is* the model, patches save memory, not triangles.
+The patches form a smooth surface over the coarsest level (98 triangles). This surface is not the scanned bunny, however finely it is
+tessellated, so the error of \`tessellation\` has a lower bound that discrete levels do not have. The thesis compares with its own finest
+tessellation, where this error is 0. If the smooth surface over the base mesh is the model itself, patches save memory, not triangles.
 
 ## Behind foliage and planes (4.2.3)
 
-![A bunny behind foliage, drawn by the thesis' method](images/results-foliage.png) ![Its error map](images/results-foliage-error.png)
+![A bunny behind foliage, rendered by the thesis' method](images/results-foliage.png) ![Its error map](images/results-foliage-error.png)
 
-*\`hom+lv\`, and where it differs from full detail (FLIP: black = not seen).*
+*\`hom+lv\`, and its FLIP error map against the finest level (black: no visible difference).*
 
-One bunny, 60 frames on end along an arc in front of it, 640x360; a switch is a change of level of a visible object. Tessellation is left out: the
-patch path rounds the planes as well, and their error would hide the bunny's.
+One bunny, 60 consecutive frames along an arc in front of it, 640x360. A switch is a change of level of a visible object. Tessellation is
+left out: it rounds the planes as well, and their error would be larger than the bunny's.
 
 ${situationTable()}
 
-The thesis asked five viewers: no difference at low and high cover, popping at medium cover on silhouettes. The figures agree in kind: with \`hom+lv\`
-levels switch most often at medium cover (${switchesAt('plane-low')}, ${switchesAt('plane-medium')} and ${switchesAt('plane-high')} at low, medium and high). Its error keeps growing with the
-cover, because LV alone chooses ever coarser levels, while less and less of them is left to be seen. The pixel error holds an object of this size within a pixel whatever
-covers it; what its visibility relaxes here is one level at most.
+The thesis asked five viewers: they saw no difference at low and high cover, and popping on silhouettes at medium cover. The figures agree in
+kind: with \`hom+lv\`, levels switch most often at medium cover (${switchesAt('plane-low')}, ${switchesAt('plane-medium')} and ${switchesAt('plane-high')} at low, medium and high). Its error
+grows with the cover, because LV alone chooses ever coarser levels, although ever less of them is visible. The pixel error keeps the error of
+an object of this size within one pixel at every cover; its visibility relaxes this by at most one level.
 
-## To repeat it
+## How to repeat it
 
 \`\`\`sh
-scripts/reproduce     # half an hour on two cores without a GPU; out/reproduce/NAME/index.html are the reports
+scripts/reproduce     # takes half an hour on two cores without a GPU; writes reports to out/reproduce/NAME/index.html
 \`\`\`
 `);
 console.log(`${docs}/results.md`);
-process.exit(0);  // the charts library keeps a timer running
+process.exit(0);  // the charts library keeps a timer running, so node would not end by itself

@@ -47,7 +47,7 @@ struct MeshVertex {
 /// @param entry  of the instance list
 void emitVertex(uint entry, MeshVertex vertex) {
   uint objectId = entry & kInstanceObject;
-  Transform transform = transforms[objectId];
+  Transform transform = transforms[objects[objectId].transform];
   fragment.positionWorld = transformPoint(transform, vertex.position);
 #ifdef JAL_OPACITY
   // A coarser level may lie in front of LOD 0. Move it away from the eye along the view ray: it covers the same pixels.

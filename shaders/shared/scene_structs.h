@@ -6,7 +6,8 @@
 
 JAL_SHARED_BEGIN
 
-/// Where an object is: rows of the 3x4 affine transform, world units. The application may rewrite these every frame.
+/// Rows of a 3x4 affine transform, world units. Several objects may refer to one transform. The application may rewrite
+/// the transforms in every frame.
 struct Transform {
   vec4 worldFromObject0;
   vec4 worldFromObject1;
@@ -14,12 +15,15 @@ struct Transform {
 };
 JAL_ASSERT_SIZE(Transform, 48)
 
-/// What an object is. Objects are sorted by chain, so that instances of one level lie side by side.
+/// One object: the unit of culling and of the choice of detail. It is an instance of the file or a part of one. Objects
+/// are sorted by chain, so that the objects of one level lie side by side in the draw lists.
 struct Object {
   uint chain;             // index into chains
-  uint instance;          // index of the object in the file's order
+  uint transform;         // index into transforms
+  uint owner;             // instance that the object is, or is a part of: index in the file's order
+  uint reserved0;
 };
-JAL_ASSERT_SIZE(Object, 8)
+JAL_ASSERT_SIZE(Object, 16)
 
 /// One LOD chain. Its box bounds every level, and the tessellated surface where that path is in use.
 struct Chain {

@@ -119,8 +119,9 @@ ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance)
 void main() {
   uint id = gl_GlobalInvocationID.x;
   if (id >= cullView.objectCount) return;
-  Transform transform = transforms[id];
-  Chain chain = chains[objects[id].chain];
+  Object object = objects[id];
+  Transform transform = transforms[object.transform];
+  Chain chain = chains[object.chain];
   vec2 viewport = vec2(cullView.viewportWidth, cullView.viewportHeight);
   BoxOnScreen box = boxOnScreen(transform, chain.boundsMinObject.xyz, chain.boundsMaxObject.xyz, cullView.clipFromWorld,
                                 viewport);

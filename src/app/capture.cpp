@@ -1,25 +1,20 @@
 // Warm-up, repeats, medians.
 #include "app/capture.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/median.h"
+
 namespace jalousie::app {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Frames before the measured ones: until the visible set of two phases has settled (the first frame knows nothing, the
 /// second draws all that the first one let through) and their pixels are counted, and one more to warm caches up if
 /// times are wanted.
 std::uint32_t warmUpFrames(const RenderOptions& options) {
-  return (options.mode == "hiz" || options.lv == "pixels" ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
+  return (dependsOnHistory(options.frameOptions) ? options.settle : 0U) + (options.repeat > 1 ? 1U : 0U);
 }
 
 }  // namespace
@@ -37,12 +32,12 @@ RenderReport captureFrame(const RenderOptions& options, render::FrameRenderer& r
   std::vector<std::string> order;
   std::map<std::string, std::vector<double>> samples;
   renderer.resetHistory();
-  renderer.timer().setTiming(report.gpuTiming ? gl::Timing::kGpu : gl::Timing::kWall);
+  renderer.setTiming(report.gpuTiming ? Timing::kGpu : Timing::kWall);
   for (std::uint32_t i = 0; i < captureFrames(options); ++i) {
     if (progress) progress(i);
     renderer.render(options.frameOptions, cameras.cull, cameras.draw);
     if (i < warmUpFrames(options)) continue;
-    for (const gl::PassTime& pass : renderer.timer().passes()) {
+    for (const PassTime& pass : renderer.passTimes()) {
       std::vector<double>& times = samples[std::string(pass.name)];
       if (times.empty()) order.emplace_back(pass.name);
       times.push_back(pass.ms);

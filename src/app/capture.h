@@ -7,6 +7,7 @@
 #include "app/render_cameras.h"
 #include "app/render_report.h"
 #include "gl/capabilities.h"
+#include "render/frame_renderer.h"
 
 namespace jalousie::app {
 

@@ -1,4 +1,4 @@
-// Scene and path in, report out.
+// Loads scene and path, runs the experiment, writes the report.
 #include "app/compare_command.h"
 
 #include <fmt/format.h>
@@ -11,17 +11,25 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/gl_debug.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
+#include "asset/scene_file.h"
+#include "compare/configuration.h"
+#include "compare/experiment.h"
 #include "compare/experiment_log.h"
+#include "compare/fingerprint.h"
+#include "compare/frames_csv.h"
 #include "compare/page.h"
 #include "compare/summary.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/progress.h"
 #include "platform/headless_context.h"
+#include "render/frame_renderer.h"
 #include "scene/camera.h"
 #include "scene/scene_data.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::app {
 namespace {
@@ -30,7 +38,7 @@ constexpr std::uint64_t kMaxProgramBytes = 1ULL << 30U;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// The first signal asks for an end after the step, the second one ends at once.
+/// The first SIGINT or SIGTERM ends the experiment after the current step, a second one ends the program at once.
 class InterruptGuard {
  public:
   InterruptGuard() {
@@ -52,12 +60,12 @@ class InterruptGuard {
   struct sigaction before_[std::size(kSignals)] = {};
 };
 
-/// What the configurations share, and what they own.
+/// The chosen configurations and what they refer to.
 struct Setup {
   std::vector<compare::Configuration> configurations;
-  std::deque<visibility::ImportanceMask> masks;
-  bool patches = false;
-  bool followsError = false;
+  std::deque<visibility::ImportanceMask> masks;  ///< a deque, so that the configurations' pointers stay valid
+  bool patches = false;                          ///< some configuration tessellates
+  bool followsError = false;                     ///< some configuration chooses levels by error
 };
 
 void setUp(const CompareOptions& options, Setup& setup) {
@@ -66,7 +74,7 @@ void setUp(const CompareOptions& options, Setup& setup) {
     compare::Configuration configuration{text.name, text.options, render.frameOptions, render.rendererOptions};
     if (!render.importance.empty())
       configuration.renderer.importance = &setup.masks.emplace_back(asset::loadImage(render.importance));
-    setup.patches = setup.patches || configuration.frame.detail == gpu::kDetailTessellation;
+    setup.patches = setup.patches || configuration.tessellates();
     setup.followsError = setup.followsError || configuration.followsTau();
     setup.configurations.push_back(std::move(configuration));
   }
@@ -75,14 +83,14 @@ void setUp(const CompareOptions& options, Setup& setup) {
 asset::Camera chooseCamera(const std::vector<asset::Camera>& cameras, const std::string& which,
                            const std::filesystem::path& file) {
   if (cameras.empty())
-    throw Error(ErrorCode::kUsage, "has no camera; give --path, or make a path with `jalousie record`", file);
+    throw Error(ErrorCode::kUsage, "has no camera; give --path, or create a path with `jalousie record`", file);
   if (which.empty()) return cameras.front();
   std::string names;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     if (which == cameras[i].name || which == std::to_string(i)) return cameras[i];
     names += fmt::format("{}{} {}", i > 0 ? ", " : "", i, cameras[i].name);
   }
-  throw Error(ErrorCode::kUsage, fmt::format("has no camera \"{}\"; it has {}", which, names), file);
+  throw Error(ErrorCode::kUsage, fmt::format("has no camera \"{}\"; its cameras are {}", which, names), file);
 }
 
 compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path) {
@@ -102,12 +110,12 @@ compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path)
   return plan;
 }
 
-/// A report replaces a report, and nothing else.
+/// Creates the folder. A folder that is not empty must hold a report, which is replaced. Errors: kUsage, kWriteFailed.
 void prepareFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder, error))
-    throw Error(ErrorCode::kWriteFailed, "the folder cannot be made", folder);
+    throw Error(ErrorCode::kWriteFailed, "the folder cannot be created", folder);
   const bool empty = std::filesystem::is_empty(folder, error);
   if (error) throw Error(ErrorCode::kWriteFailed, error.message(), folder);
   if (!empty && !compare::holdsLog(folder))
@@ -120,7 +128,7 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-/// A line that is redrawn on a terminal, a line per tenth of the work in a log.
+/// Progress of an experiment: one line that is redrawn on a terminal; elsewhere a new line per tenth of the work.
 class RunProgress {
  public:
   RunProgress(const compare::Experiment& experiment, bool quiet)
@@ -153,7 +161,7 @@ class RunProgress {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Names may hold any bytes; JSON holds UTF-8.
+/// summary.json as text. Names can hold any bytes; what is not UTF-8 is replaced.
 std::string jsonText(const nlohmann::ordered_json& summary) {
   return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -170,56 +178,72 @@ nlohmann::ordered_json writeReport(const CompareOptions& options, const compare:
   return summary;
 }
 
+asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile) {
+  if (options.path.empty()) return chooseCamera(sceneFile.cameras, options.camera, options.scene);
+  return chooseCamera(asset::readSceneFile(options.path).cameras, options.camera, options.path);
+}
+
+void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) {
+  plan.renderer = capabilities.renderer;
+  plan.build = compare::digestOf(readFile("/proc/self/exe", kMaxProgramBytes));
+  plan.gpuTiming = !capabilities.softwareRenderer;
+}
+
+void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes,
+          const gl::Capabilities& capabilities) {
+  if (scenes.plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
+  if (scenes.patches != nullptr)
+    warnTessellationLimit(options.scene, *scenes.patches, capabilities, gpu::kMaxTessellationLevel);
+}
+
+/// Runs the steps that are left until all are done or a signal arrives.
+void runSteps(compare::Experiment& experiment, const CompareOptions& options) {
+  if (experiment.stepsDone() == 0) {
+    std::error_code ignored;
+    for (const char* name : {"index.html", "summary.json", "frames.csv"})
+      std::filesystem::remove(options.output / name, ignored);
+  }
+  RunProgress progress(experiment, options.quiet);
+  for (progress.update(); experiment.stepsDone() < experiment.stepCount() && interrupted == 0; progress.update())
+    experiment.runStep();
+}
+
 }  // namespace
 
 int runCompare(const CompareOptions& options) {
   Setup setup;
   setUp(options, setup);
   const asset::SceneFile file = asset::readSceneFile(options.scene);
-  const std::filesystem::path& pathFile = options.path.empty() ? options.scene : options.path;
-  const asset::Camera path = options.path.empty()
-                                 ? chooseCamera(file.cameras, options.camera, pathFile)
-                                 : chooseCamera(asset::readSceneFile(options.path).cameras, options.camera, pathFile);
+  const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);
   std::optional<scene::SceneData> patches;
   if (setup.patches) patches.emplace(scene::buildScene(file, {.patches = true}));
-
-  const platform::HeadlessContext context(/*debug=*/false);
-  plan.renderer = context.capabilities().renderer;
-  plan.build = compare::digestOf(readFile("/proc/self/exe", kMaxProgramBytes));
-  plan.gpuTiming = !context.capabilities().softwareRenderer;
-  if (!options.quiet) {
-    if (plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
-    if (patches) warnTessellationLimit(options.scene, *patches, context.capabilities(), gpu::kMaxTessellationLevel);
-  }
-  prepareFolder(options.output);
   const compare::Scenes scenes{plain, patches ? &*patches : nullptr};
-  const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
-  compare::Experiment experiment(scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume);
 
-  if (experiment.stepsDone() == 0) {
-    std::error_code gone;
-    for (const char* name : {"index.html", "summary.json", "frames.csv"})
-      std::filesystem::remove(options.output / name, gone);
-  }
+  const platform::HeadlessContext context(options.debug);
+  const GlDebug debug(options.debug);
+  describeMachine(plan, context.capabilities());
+  if (!options.quiet) warn(options, setup, scenes, context.capabilities());
+  prepareFolder(options.output);
+  const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
+  compare::Experiment experiment(
+      {scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume});
+
   const InterruptGuard guard;
-  {
-    RunProgress progress(experiment, options.quiet);
-    for (progress.update(); experiment.stepsDone() < experiment.stepCount() && interrupted == 0; progress.update())
-      experiment.runStep();
-  }
+  runSteps(experiment, options);
+  debug.check();
   if (!options.quiet) fmt::print(stderr, "jalousie: writing the report\n");
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,
-                  {options.scene.filename().string(), options.path.filename().string(), context.capabilities().renderer,
+                  {options.scene.filename().string(), options.path.filename().string(), plan.renderer,
                    plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION});
   if (options.json == "-")
     fmt::print("{}", jsonText(summary));
   else if (!options.quiet)
     fmt::print("{}{}\n", compare::summaryText(summary), (options.output / "index.html").string());
   if (experiment.stepsDone() == experiment.stepCount()) return 0;
-  fmt::print(stderr, "jalousie: {}: interrupted after {} of {} steps; the same command with --resume goes on\n",
+  fmt::print(stderr, "jalousie: {}: interrupted after {} of {} steps; the same command with --resume continues\n",
              options.output.string(), experiment.stepsDone(), experiment.stepCount());
   return kInterrupted;
 }

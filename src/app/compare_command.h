@@ -1,15 +1,15 @@
-// `jalousie compare`: one camera path under several configurations, and a report.
+// `jalousie compare`: measures several configurations along one camera path and writes a report.
 #pragma once
 
 #include "app/compare_options.h"
 
 namespace jalousie::app {
 
-/// Exit code after Ctrl-C or SIGTERM: what was measured is in the report, --resume goes on.
+/// Exit code after SIGINT or SIGTERM. The report holds what was measured; --resume continues it.
 inline constexpr int kInterrupted = 130;
 
-/// Loads, measures, writes. @param options  finished   @return 0 or kInterrupted
-/// Errors: as the loaders, kUsage, kNoGpu, kShader, kWriteFailed.
+/// @param options  after finish()   @return  exit code, 0 or kInterrupted
+/// Errors: kUsage, kNoGpu, kShader, kWriteFailed, as readSceneFile.
 int runCompare(const CompareOptions& options);
 
 }  // namespace jalousie::app

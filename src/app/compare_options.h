@@ -1,14 +1,13 @@
-// Options of `jalousie compare`: what the command line says, checked.
+// Options of `jalousie compare`.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/configurations.h"
-#include "compare/experiment.h"
+#include "compare/plan.h"
 
 namespace CLI {
 class App;
@@ -21,11 +20,11 @@ struct CompareOptions {
   std::filesystem::path path;  ///< glTF with the camera path; empty: the scene's own
   std::string camera;          ///< its name or number; empty: the first one
   std::filesystem::path output;
-  std::string json;  ///< empty: none; "-": summary.json to standard output as well
+  std::string json;  ///< "-": print summary.json on standard output as well; empty: do not
   std::string configurations = "standard";
   std::vector<std::string> moreConfigurations;  ///< NAME=OPTIONS
   std::string baseline;                         ///< empty: the first configuration
-  std::string frames;                           ///< A:B:STEP; empty: the whole path, at most kDefaultFrames of it
+  std::string frames;                           ///< A:B:STEP; empty: at most kDefaultFrames of the whole path
   std::string sweep;                            ///< tau=A:B or tau=A,B,C; empty: none
   std::string reference = "lod0";
   std::uint32_t width = 1280;
@@ -35,16 +34,17 @@ struct CompareOptions {
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
   bool resume = false;
   bool quiet = false;
-  std::string command;  ///< to repeat it, for the report
+  bool debug = false;   ///< use an OpenGL debug context; its messages set the exit code
+  std::string command;  ///< shown in the report, so that the experiment can be repeated
 
-  std::vector<ConfigurationText> chosen;  ///< filled by finish()
+  std::vector<ConfigurationText> chosen;  ///< set by finish()
   std::vector<float> taus;                ///< likewise
 
-  /// Refuses contradictions before anything is loaded. Errors: kUsage, and as chosenConfigurations().
+  /// Parses and checks the options before anything is loaded. Errors: kUsage, kLimit, as chosenConfigurations().
   void finish();
 };
 
-/// Frames that are measured where nothing is said.
+/// Most frames that are measured without --frames.
 inline constexpr std::uint32_t kDefaultFrames = 60;
 
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
@@ -53,7 +53,8 @@ void addCompareOptions(CLI::App& command, CompareOptions& options);
 /// "A:B:STEP", "A:B" or "A". @param frameCount  of the path. Errors: kUsage.
 compare::FrameRange parseFrames(const std::string& text, std::uint32_t frameCount);
 
-/// "tau=0.25:8" (doubling from one to the other) or "tau=0.5,1,2". Errors: kUsage.
+/// "tau=A:B" gives A, 2A, 4A, ... up to B; "tau=0.5,1,2" lists the values. @return  ascending, without repeats, pixels
+/// Errors: kUsage.
 std::vector<float> parseSweep(const std::string& text);
 
 }  // namespace jalousie::app

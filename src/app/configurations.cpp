@@ -1,4 +1,4 @@
-// The table of names.
+// Tables of the built-in configurations and sets, and the reader of configuration files.
 #include "app/configurations.h"
 
 #include <fmt/format.h>
@@ -36,17 +36,18 @@ constexpr BuiltIn kBuiltIns[] = {
 struct Set {
   const char* name;
   const char* members;
-  const char* what;
+  const char* description;
 };
 constexpr Set kSets[] = {
-    {"standard", "frustum,hiz,default", "the default beside what it has to beat"},
-    {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "Kristmann 2022, Fig. 4.6 to 4.10"},
-    {"ab", "discrete,tessellation", "LOD chain against Phong tessellation, same budget"},
-    {"all", "frustum,hom-depth,hiz,default,calm,hom+lv,tessellation", "one of each kind"},
+    {"standard", "frustum,hiz,default", "the default and its two baselines"},
+    {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "the methods of Kristmann 2022, Fig. 4.6 to 4.10"},
+    {"ab", "discrete,tessellation", "LOD chain and Phong tessellation with the same error budget"},
+    {"all", "frustum,hom-depth,hiz,default,calm,hom+lv,tessellation", "one configuration of each kind"},
 };
 
 constexpr std::uint64_t kMaxFileBytes = 1U << 20U;
 
+/// Adds a configuration, or all members of a set, unless it is already chosen. Errors: kUsage for an unknown name.
 void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
   for (const Set& set : kSets) {
     if (name != set.name) continue;
@@ -58,7 +59,7 @@ void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
       std::find_if(std::begin(kBuiltIns), std::end(kBuiltIns), [&](const BuiltIn& b) { return name == b.name; });
   if (known == std::end(kBuiltIns))
     throw Error(ErrorCode::kUsage,
-                fmt::format("no configuration or set is called \"{}\" (see jalousie compare --help)", name));
+                fmt::format("no configuration or set has the name \"{}\" (see jalousie compare --help)", name));
   const bool twice =
       std::any_of(chosen.begin(), chosen.end(), [&](const ConfigurationText& c) { return c.name == name; });
   if (!twice) chosen.push_back({known->name, known->options});
@@ -73,9 +74,9 @@ std::vector<ConfigurationText> readConfigurations(const std::filesystem::path& f
     for (const nlohmann::json& entry : root.at("configurations"))
       result.push_back({entry.at("name").get<std::string>(), entry.value("options", std::string())});
   } catch (const nlohmann::json::exception& error) {
-    throw Error(ErrorCode::kMalformed,
-                fmt::format("needs {{\"configurations\": [{{\"name\": ..., \"options\": ...}}]}} ({})", error.what()),
-                file);
+    throw Error(
+        ErrorCode::kMalformed,
+        fmt::format("expected {{\"configurations\": [{{\"name\": ..., \"options\": ...}}]}} ({})", error.what()), file);
   }
   return result;
 }
@@ -97,7 +98,7 @@ std::vector<ConfigurationText> chosenConfigurations(const std::string& list) {
 ConfigurationText parseConfiguration(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw Error(ErrorCode::kUsage, fmt::format("--config {}: say NAME=OPTIONS", text));
+    throw Error(ErrorCode::kUsage, fmt::format("--config {}: expected NAME=OPTIONS", text));
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -108,7 +109,7 @@ RenderOptions optionsOf(const ConfigurationText& configuration) {
   addMethodOptions(parser, options);
   try {
     parser.parse(configuration.options);
-    options.statsOnly = true;  // the picture is the experiment's business
+    options.statsOnly = true;  // the experiment saves the pictures, so --output is not required
     options.finish();
   } catch (const CLI::ParseError& error) {
     throw Error(ErrorCode::kUsage, fmt::format("configuration \"{}\": {}", configuration.name, error.what()));
@@ -120,12 +121,12 @@ RenderOptions optionsOf(const ConfigurationText& configuration) {
 }
 
 std::string describeConfigurations() {
-  std::string text = "Configurations, and the options of `jalousie render` they stand for:\n";
+  std::string text = "Configurations and their options of `jalousie render`:\n";
   for (const BuiltIn& b : kBuiltIns)
-    text += fmt::format("  {:<21} {}\n", b.name, *b.options == '\0' ? "(no option)" : b.options);
+    text += fmt::format("  {:<21} {}\n", b.name, *b.options == '\0' ? "(the defaults)" : b.options);
   text += "Sets:\n";
   for (const Set& set : kSets)
-    text += fmt::format("  {:<21} {}: {}\n", set.name, set.what, set.members);
+    text += fmt::format("  {:<21} {}: {}\n", set.name, set.description, set.members);
   return text;
 }
 

@@ -1,4 +1,4 @@
-// Two pictures in, three figures and a map out.
+// Computes PSNR, SSIM and FLIP of two files, prints them and writes the error map.
 #include "app/diff_command.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/option_checks.h"
+#include "app/number_option.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -27,23 +27,22 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
 }  // namespace
 
 void addDiffOptions(CLI::App& command, DiffOptions& o) {
-  command.add_option("reference", o.reference, "The picture as it should be, PNG or JPEG")
-      ->required()
-      ->type_name("A.png");
-  command.add_option("test", o.test, "The picture to judge, of the same size")->required()->type_name("B.png");
-  command.add_option("-o,--output", o.output, "Write FLIP's error map: black = no difference seen, pale yellow = 1")
-      ->type_name("MAP.png");
-  command.add_option("--json", o.json, "Write the figures as JSON; - for standard output")->type_name("FIGURES");
+  command.add_option("reference", o.reference, "Reference picture, PNG or JPEG")->required()->type_name("A.png");
+  command.add_option("test", o.test, "Picture to compare with it, of the same size")->required()->type_name("B.png");
   command
-      .add_option("--ppd", o.pixelsPerDegree,
-                  "Pixels per degree of visual angle [67.02: 0.7 m from a 0.7 m wide 4K monitor]")
-      ->check(inRange(compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree));
-  command.footer(R"(Alpha is ignored.
+      .add_option("-o,--output", o.output,
+                  "Write FLIP's error map as PNG: black = 0, no visible difference; pale yellow = 1")
+      ->type_name("MAP.png");
+  command.add_option("--json", o.json, "Write the figures as JSON; - = standard output")->type_name("FIGURES");
+  addNumber(command, "--ppd", o.pixelsPerDegree, {compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree},
+            "Resolution at the viewing distance that FLIP assumes; 67.02 is that of a 4K monitor, 0.7 m wide, seen "
+            "from 0.7 m; pixels per degree of visual angle");
+  command.footer(R"(The alpha channel is ignored.
 Examples:
-  jalousie diff full.png lod.png
-  jalousie diff full.png lod.png -o error.png --json figures.json
-  jalousie diff full.png lod.png --ppd 40
-      for viewers who sit nearer
+  jalousie diff finest.png lod.png
+  jalousie diff finest.png lod.png -o error.png --json figures.json
+  jalousie diff finest.png lod.png --ppd 40
+      assumes viewers who sit nearer
 )");
 }
 
@@ -52,11 +51,11 @@ void runDiff(const DiffOptions& options) {
   const ImageRgba8 test = asset::loadImage(options.test);
   if (reference.width != test.width || reference.height != test.height)
     throw Error(ErrorCode::kUsage,
-                fmt::format("is {}x{} pixels, the reference {}x{}; only pictures of one size can be compared",
+                fmt::format("has {}x{} pixels and the reference {}x{}; pictures must have the same size to be compared",
                             test.width, test.height, reference.width, reference.height),
                 options.test);
   if (std::min(reference.width, reference.height) < compare::kLeastSsimSide)
-    throw Error(ErrorCode::kUsage, fmt::format("is smaller than {0}x{0} pixels", compare::kLeastSsimSide),
+    throw Error(ErrorCode::kUsage, fmt::format("has fewer than {0}x{0} pixels", compare::kLeastSsimSide),
                 options.reference);
   const std::vector<float> map = compare::flipMap(compare::FlipImage(reference, options.pixelsPerDegree),
                                                   compare::FlipImage(test, options.pixelsPerDegree));

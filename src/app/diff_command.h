@@ -1,4 +1,4 @@
-// `jalousie diff`: how far one picture is from another.
+// `jalousie diff`: PSNR, SSIM and FLIP of one picture against another.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +15,16 @@ namespace jalousie::app {
 struct DiffOptions {
   std::filesystem::path reference;
   std::filesystem::path test;
-  std::filesystem::path output;  ///< error map; empty: none
-  std::string json;              ///< file, "-" for standard output, or empty
+  std::filesystem::path output;  ///< of the error map; empty: none
+  std::string json;              ///< file; "-": standard output; empty: none
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
 };
 
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
 void addDiffOptions(CLI::App& command, DiffOptions& options);
 
-/// Errors: kUsage for pictures of different or too small size; as loadImage and writeFileAtomic.
+/// Prints the figures, unless JSON goes to standard output. Errors: kUsage for pictures of different or too small size;
+/// as loadImage and writeFileAtomic.
 void runDiff(const DiffOptions& options);
 
 }  // namespace jalousie::app

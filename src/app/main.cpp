@@ -8,6 +8,7 @@
 
 #include "app/compare_command.h"
 #include "app/diff_command.h"
+#include "app/gl_debug.h"
 #include "app/option_values.h"
 #include "app/record_command.h"
 #include "app/render_command.h"
@@ -26,12 +27,12 @@ struct Options {
   ViewOptions view;
 };
 
-/// What was typed, without what says nothing about the result.
+/// The command line without the options that do not change the result.
 std::string toRepeat(int argc, char** argv) {
   std::string text = "jalousie";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word != "--resume" && word != "-q" && word != "--quiet") text += " " + shellQuoted(word);
+    if (word != "--resume" && word != "-q" && word != "--quiet" && word != "--debug") text += " " + shellQuoted(word);
   }
   return text;
 }
@@ -68,10 +69,14 @@ int main(int argc, char** argv) {
       "interrupted. A failure is\none line on standard error; what was there before is intact.");
   Options options;
   options.compare.command = toRepeat(argc, argv);
-  addRenderOptions(*program.add_subcommand("render", "Render one frame, headless"), options.render);
+  CLI::App* render = program.add_subcommand("render", "Render one frame, headless");
+  addRenderOptions(*render, options.render);
+  addDebugOption(*render, options.render.debug);
   addViewOptions(*program.add_subcommand("view", "Look at scenes in a window: what is hidden, and why"), options.view);
-  addCompareOptions(*program.add_subcommand("compare", "Measure configurations along a camera path and write a report"),
-                    options.compare);
+  CLI::App* compare =
+      program.add_subcommand("compare", "Measure configurations along a camera path and write a report");
+  addCompareOptions(*compare, options.compare);
+  addDebugOption(*compare, options.compare.debug);
   addDiffOptions(*program.add_subcommand("diff", "How far one picture is from another: PSNR, SSIM, FLIP"),
                  options.diff);
   addRecordOptions(*program.add_subcommand("record", "Write a camera path as a glTF camera animation"), options.record);

@@ -1,4 +1,4 @@
-// Splines and orbits.
+// Builds spline and orbit paths and writes them as GLB.
 #include "app/record_command.h"
 
 #include <fmt/format.h>
@@ -10,9 +10,10 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
-#include "app/option_checks.h"
+#include "app/number_option.h"
 #include "app/option_values.h"
 #include "asset/camera_write.h"
+#include "asset/gltf_file.h"
 #include "core/check.h"
 #include "core/error.h"
 #include "scene/camera.h"
@@ -23,7 +24,7 @@ namespace {
 
 constexpr std::uint32_t kMostFrames = 1'000'000;
 
-/// Slope of a value at key k, per frame: that of the line through its neighbours; one-sided at the ends.
+/// Slope of a value at key k, per frame: that of the line through the neighbouring keys; one-sided at both ends.
 template <class Get>
 glm::vec3 slopeAt(const std::vector<KeyPose>& keys, std::size_t k, Get get) {
   const KeyPose& before = keys[k > 0 ? k - 1 : k];
@@ -32,6 +33,7 @@ glm::vec3 slopeAt(const std::vector<KeyPose>& keys, std::size_t k, Get get) {
   return (get(after) - get(before)) / static_cast<float>(after.frame - before.frame);
 }
 
+/// Value at a frame between the keys k and k + 1.
 template <class Get>
 glm::vec3 hermite(const std::vector<KeyPose>& keys, std::size_t k, float frame, Get get) {
   if (k + 1 == keys.size()) return get(keys[k]);
@@ -50,7 +52,7 @@ asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWor
   const float height = glm::radians(options.elevationDegrees);
   asset::CameraTrack track;
   for (std::uint32_t frame = 0; frame < options.frames; ++frame) {
-    // A whole turn ends one step before its start: played again and again, it does not halt.
+    // A whole turn ends one step before its start, so that the path can be played in a loop without a pause.
     const float angle =
         glm::radians(options.orbitDegrees) * static_cast<float>(frame) / static_cast<float>(options.frames);
     const glm::vec3 direction(std::sin(angle) * std::cos(height), std::sin(height), std::cos(angle) * std::cos(height));
@@ -81,7 +83,8 @@ KeyPose parseKey(const std::string& text) {
     const std::optional<glm::vec3> look = parsePoint(std::string_view(text).substr(second + 1));
     if (eye && look) return {key.frame, *eye, *look};
   }
-  throw Error(ErrorCode::kUsage, fmt::format("--key {}: say FRAME:X,Y,Z:X,Y,Z (eye, then what it looks at)", text));
+  throw Error(ErrorCode::kUsage,
+              fmt::format("--key {}: expected FRAME:X,Y,Z:X,Y,Z, the eye and then the point that it looks at", text));
 }
 
 asset::CameraTrack splineTrack(const std::vector<KeyPose>& keys, const Aabb& sceneWorld) {
@@ -118,50 +121,51 @@ std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& 
 }
 
 void addRecordOptions(CLI::App& command, RecordOptions& o) {
-  command.add_option("scene", o.scene, "glTF or GLB file that the path goes through")
-      ->required()
-      ->type_name("SCENE.glb");
-  command.add_option("-o,--output", o.output, "glTF camera animation to write, 30 frames a second")
+  command.add_option("scene", o.scene, "glTF or GLB file that the path belongs to")->required()->type_name("SCENE.glb");
+  command.add_option("-o,--output", o.output, "Write the path as a glTF camera animation, 30 frames per second")
       ->required()
       ->type_name("PATH.glb");
-  command.add_option("--key", o.keys, "Pose at a frame; give several, the path goes smoothly through all of them")
+  command
+      .add_option("--key", o.keys,
+                  "Place the camera at EYE and look at LOOK at this frame, both X,Y,Z; can be given several times, and "
+                  "the path runs smoothly through all keys; world units")
       ->type_name("FRAME:EYE:LOOK")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  const auto orbit = [&command, &o](const char* name, auto& target, const char* help) {
-    return command.add_option_function<std::decay_t<decltype(target)>>(
-        name,
-        [&o, &target](const auto& value) {
-          target = value;
-          o.orbitGiven = true;
-        },
-        help);
+  const auto orbit = [&command, &o](const char* name, auto& target, NumberRange range, const char* help) {
+    const auto store = [&o, &target](const auto& value) {
+      target = value;
+      o.orbitGiven = true;
+    };
+    limit(command.add_option_function<std::decay_t<decltype(target)>>(name, store, help), range, target);
   };
-  orbit("--orbit", o.orbitDegrees, "Without --key: turn around the scene by this angle, degrees [360]")
-      ->check(inRange(-36000.0, 36000.0));
-  orbit("--elevation", o.elevationDegrees, "Height of the orbit, degrees [15]")->check(inRange(-89.0, 89.0));
-  orbit("--distance", o.distance, "Of the orbit; 1: the whole scene is in view [1]")->check(inRange(0.001, 1000.0));
-  orbit("--frames", o.frames, "Length of the orbit [300]")->check(CLI::Range(1U, kMostFrames));
-  command.add_option("--fov", o.fovDegrees, "Vertical field of view, degrees")
-      ->check(inRange(1.0, 170.0))
-      ->capture_default_str();
-  command.add_flag("-q,--quiet", o.quiet, "No summary");
+  orbit("--orbit", o.orbitDegrees, {-36000, 36000}, "Without --key, turn around the scene by this angle; degrees");
+  orbit("--elevation", o.elevationDegrees, {-89, 89}, "Elevation of the orbit above the horizontal plane; degrees");
+  orbit("--distance", o.distance, {0.001, 1000},
+        "Distance of the orbit from the scene's centre; times the distance at which the whole scene is just in view");
+  orbit("--frames", o.frames, {1, kMostFrames}, "Length of the orbit; frames");
+  addNumber(command, "--fov", o.fovDegrees, {1, 170}, "Vertical field of view; degrees");
+  command.add_flag("-q,--quiet", o.quiet, "Print no summary");
   command.footer(R"(Examples:
   jalousie record city.glb -o orbit.glb
+      turns once around the scene in ten seconds
   jalousie record city.glb --key 0:0,8,0:-40,4,-20 --key 60:-15,6,-8:-60,4,-30 --key 120:-40,8,-10:0,4,0 -o walk.glb
+      passes through three poses
   jalousie compare city.glb --path walk.glb -o report
-Blender and other tools read the file, and what they write is a path too: any glTF with an animated camera.
+      measures along this path
+Blender and other tools can read the file. Any glTF file with an animated camera can serve as a path.
 )");
 }
 
 void runRecord(const RecordOptions& options) {
   if (!options.keys.empty() && options.orbitGiven)
-    throw Error(ErrorCode::kUsage, "--orbit, --elevation, --distance and --frames make a path without --key");
+    throw Error(ErrorCode::kUsage,
+                "--orbit, --elevation, --distance and --frames describe an orbit; they cannot be combined with --key");
   std::vector<KeyPose> keys;
   for (const std::string& text : options.keys)
     keys.push_back(parseKey(text));
   for (std::size_t i = 1; i < keys.size(); ++i)
-    if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "the frames of --key must ascend");
+    if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "--key: the frames must ascend");
   const scene::SceneData scene = scene::buildScene(asset::readSceneFile(options.scene));
 
   const std::uint32_t frames =

@@ -1,4 +1,4 @@
-// `jalousie record`: a camera path as a glTF camera animation, from key poses or around the scene.
+// `jalousie record`: writes a camera path, through key poses or around the scene, as a glTF camera animation.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class App;
 
 namespace jalousie::app {
 
-/// Where the camera is at a frame, and what it looks at; world units.
+/// The camera's position at a frame and the point that it looks at, world units.
 struct KeyPose {
   std::uint32_t frame = 0;
   glm::vec3 eye{0.0F};
@@ -30,30 +30,30 @@ struct RecordOptions {
   std::vector<std::string> keys;  ///< FRAME:EYE:LOOK
   float orbitDegrees = 360.0F;
   float elevationDegrees = 15.0F;
-  float distance = 1.0F;  ///< of the orbit, as a share of that at which the whole scene is in view
+  float distance = 1.0F;  ///< of the orbit; 1: the whole scene is just in view
   std::uint32_t frames = 300;
   float fovDegrees = 45.0F;
   bool quiet = false;
-  bool orbitGiven = false;
+  bool orbitGiven = false;  ///< some option of the orbit was given
 };
 
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
 void addRecordOptions(CLI::App& command, RecordOptions& options);
 
-/// Adds the pose of a camera at a frame of a path; rotations keep their sign from pose to pose.
+/// Appends a camera's pose at a frame. Of the two quaternions of its rotation, takes the one nearer to the last pose's.
 void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera);
 
-/// Writes a GLB that holds nothing but an animated camera; @return its number of frames.
-/// @param fovY  radians   Errors: as saveGlb.
+/// Writes a GLB that holds an animated camera and nothing else.
+/// @param fovY  radians   @return  number of frames of the path   Errors: as saveGlb.
 std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& sceneWorld,
                        const std::filesystem::path& file);
 
 /// "FRAME:X,Y,Z:X,Y,Z". Errors: kUsage.
 KeyPose parseKey(const std::string& text);
 
-/// Through all keys without a corner: cubic Hermite splines of eye and target with the slopes of their neighbours
-/// (Catmull and Rom 1974, with unequal spacing), one pose a frame. Rotations have no jumps of sign.
-/// @pre keys not empty, frames ascend (checked). Errors: kUsage where an eye meets its target.
+/// A smooth path through all keys, one pose per frame: cubic Hermite splines of eye and target, whose slope at a key is
+/// that of the line through its neighbours (Catmull and Rom 1974, with unequal spacing).
+/// @pre keys not empty, frames ascend (checked). Errors: kUsage where eye and target meet.
 asset::CameraTrack splineTrack(const std::vector<KeyPose>& keys, const Aabb& sceneWorld);
 
 /// Errors: kUsage; as readSceneFile and saveGlb.

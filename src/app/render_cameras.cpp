@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "asset/scene_file.h"
 #include "core/error.h"
 
 namespace jalousie::app {

@@ -7,13 +7,17 @@
 #include <optional>
 
 #include "app/capture.h"
+#include "app/gl_debug.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
+#include "asset/scene_file.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/progress.h"
 #include "platform/headless_context.h"
+#include "render/frame_renderer.h"
 #include "scene/scene_data.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::app {
 namespace {
@@ -31,11 +35,11 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 
 void runRender(const RenderOptions& options) {
   const asset::SceneFile file = asset::readSceneFile(options.scene);
-  const scene::SceneData scene =
-      scene::buildScene(file, {.patches = options.frameOptions.detail == gpu::kDetailTessellation});
+  const scene::SceneData scene = scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
 
-  const platform::HeadlessContext context(/*debug=*/false);
+  const platform::HeadlessContext context(options.debug);
+  const GlDebug debug(options.debug);
   std::optional<visibility::ImportanceMask> importance;
   if (!options.importance.empty()) importance.emplace(asset::loadImage(options.importance));
   render::RendererOptions rendererOptions = options.rendererOptions;
@@ -46,14 +50,15 @@ void runRender(const RenderOptions& options) {
     return captureFrame(options, renderer, context.capabilities(), cameras,
                         [&](std::uint32_t frame) { progress.update(frame); });
   }();
-  if (options.detail == "tessellation")
+  if (rowOf(options.frameOptions.detail).patches)
     warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
   if (report.statistics.dropped > 0)
     fmt::print(stderr, "jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing\n",
                options.scene.string(), report.statistics.dropped, options.rendererOptions.capacity.value_or(0));
-  const bool followsError = options.lod == "pixel-error" || options.lod == "lv-error";
+  const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
   if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
+  debug.check();
   writeReport(options, report);
 }
 

@@ -1,4 +1,4 @@
-// One row per option, and what is read out of a row.
+// One row per option of `jalousie render`, and what other code reads from a row.
 #include "app/render_option_table.h"
 
 #include <fmt/format.h>
@@ -8,6 +8,8 @@
 
 #include "app/option_checks.h"
 #include "core/check.h"
+#include "core/overloaded.h"
+#include "policy/table.h"
 
 namespace jalousie::app {
 namespace {
@@ -18,163 +20,205 @@ using Options = RenderOptions;
 constexpr double kEndless = 1e6;
 
 bool drawsMap(const Options& o) {
-  return o.mode == "hom" || o.mode == "hom-depth";
+  return rowOf(o.frameOptions.cullMode).usesMap;
 }
 bool followsError(const Options& o) {
-  return o.lod == "pixel-error" || o.lod == "lv-error";
+  return rowOf(o.frameOptions.lodRule).followsError;
 }
 bool isCalm(const Options& o) {
   return followsError(o) && o.frameOptions.calm;
 }
-bool usesLv(const Options& o) {
-  return o.lod == "linear" || o.lod == "lv-error" || o.view == "lv";
+
+/// The policy with the measure that applies.
+FramePolicy policyOf(const Options& o) {
+  FramePolicy policy = o.frameOptions;
+  policy.lvMeasure = o.lv.value_or(defaultMeasure(policy));
+  return policy;
 }
-bool countsPixels(const Options& o) {
-  return usesLv(o) && (o.lv == "pixels" || (o.lv.empty() && o.lod != "linear"));
+
+std::string modesWithMap() {
+  return "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::usesMap);
+}
+std::string rulesWithError() {
+  return "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::followsError);
+}
+
+/// A choice among the rows of a table. @param kOf  lends the value
+template <class Id, std::span<const typename std::remove_cvref_t<decltype(rowOf(Id{}))>> (*kTable)(),
+          Id& (*kOf)(Options&)>
+ChoiceValue choice() {
+  return {[](const Options& o) {
+            Options copy = o;
+            return std::string(rowOf(kOf(copy)).name);
+          },
+          [](Options& o, std::string_view name) { kOf(o) = policy::idOf(kTable(), name); }, policy::namesOf(kTable())};
+}
+
+CullMode& cullModeOf(Options& o) {
+  return o.frameOptions.cullMode;
+}
+LodRule& lodRuleOf(Options& o) {
+  return o.frameOptions.lodRule;
+}
+Detail& detailOf(Options& o) {
+  return o.frameOptions.detail;
+}
+View& viewOf(Options& o) {
+  return o.frameOptions.view;
+}
+
+/// The measure of LV may be absent.
+ChoiceValue measureChoice() {
+  return {[](const Options& o) { return o.lv ? std::string(rowOf(*o.lv).name) : std::string(); },
+          [](Options& o, std::string_view name) {
+            o.lv = name.empty() ? std::optional<LvMeasure>() : policy::idOf(lvMeasureTable(), name);
+          },
+          policy::namesOf(lvMeasureTable())};
+}
+
+constexpr std::string_view kPerObject = "per-object";
+
+ChoiceValue submissionChoice() {
+  using visibility::Submission;
+  return {[](const Options& o) {
+            return std::string(o.rendererOptions.submission == Submission::kPerObject ? kPerObject : "instanced");
+          },
+          [](Options& o, std::string_view name) {
+            o.rendererOptions.submission = name == kPerObject ? Submission::kPerObject : Submission::kInstanced;
+          },
+          {"instanced", std::string(kPerObject)}};
 }
 
 std::vector<RenderOption> cullingRows() {
   return {
-      {"--mode", "mode", "",
-       "Culling: full = none, frustum, hom = hierarchical occlusion map as in the thesis, hom-depth = the same where "
-       "the "
-       "occluders are in front, hiz = two phases against depth, never hides what can be seen",
-       OptionGroup::kCulling,
-       ChoiceValue{[](Options& o) -> std::string& { return o.mode; }, {"full", "frustum", "hom", "hom-depth", "hiz"}}},
+      {"--mode", "mode", "", "Choose the culling mode. " + policy::helpOf(cullModeTable()), OptionGroup::kCulling,
+       choice<CullMode, cullModeTable, cullModeOf>()},
       {"--min-pixels", "smallest rectangle", "pixels of area",
-       "Contribution culling: leave out objects whose rectangle covers fewer pixels; 0 = none", OptionGroup::kCulling,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
-       "a mode that culls; --mode full does not", [](const Options& o) { return o.mode != "full"; }},
+       "Cull objects whose bounding rectangle covers fewer pixels (contribution culling); 0 turns this off",
+       OptionGroup::kCulling, NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
+       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
+       [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--importance", "importance mask", "",
-       "Grey image stretched over the screen: white keeps --tau and --min-pixels, darker divides by its value, down to "
-       "1/16",
+       "Scale --tau and --min-pixels by a grey image stretched over the screen: white keeps them, darker grey divides "
+       "them by its value, at least 1/16",
        OptionGroup::kCulling, FileValue{[](Options& o) -> std::filesystem::path& { return o.importance; }, "MASK.png"}},
       {"--occluder-distance", "occluder distance", "world units",
-       "Objects nearer than this are occluders [distance to the scene + 12 % of its diagonal]", OptionGroup::kCulling,
+       "Draw objects nearer than this into the occlusion map [distance to the scene + 12 % of its diagonal]",
+       OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderDistance; }, 0.0F,
                         1e30F},
-       "--mode hom or hom-depth", drawsMap},
+       modesWithMap(), drawsMap},
       {"--occluder-tau", "occluder error", "pixels",
-       "Error of the levels drawn into the occlusion map [hom: 0, hom-depth: 0.5]", OptionGroup::kCulling,
+       "Limit the screen-space error of the levels drawn into the occlusion map [hom: 0, hom-depth: 0.5]",
+       OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderTau; }, 0.0F, 1000.0F},
-       "--mode hom or hom-depth", drawsMap},
+       modesWithMap(), drawsMap},
       {"--cull-threshold", "cull threshold", "opacity",
-       "Opacity from which a texel of the map hides; below 1 visible pixels can be lost", OptionGroup::kCulling,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.cullThreshold; }, 0.01F, 1.0F},
-       "--mode hom or hom-depth", drawsMap},
+       "Treat texels of the map as occluding from this opacity on; below 1 visible pixels can be lost",
+       OptionGroup::kCulling,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.cullThreshold; }, 0.01F, 1.0F}, modesWithMap(),
+       drawsMap},
+  };
+}
+
+std::vector<RenderOption> levelRows() {
+  return {
+      {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
+       choice<LodRule, lodRuleTable, lodRuleOf>()},
+      {"--tau", "error budget", "pixels", "Allow this screen-space error", OptionGroup::kDetail,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F}, rulesWithError(),
+       followsError},
+      {"--lv", "visibility measure", "",
+       "Choose the measure of LV (level of visibility). " + policy::helpOf(lvMeasureTable()) +
+           " [linear: thesis; lv-error and --view lv: pixels]",
+       OptionGroup::kDetail, measureChoice(), "--lod linear, --lod lv-error or --view lv",
+       [](const Options& o) { return wantsLv(o.frameOptions) || o.lv == LvMeasure::kNone; }},
+      {"--relax", "relaxation", "times tau",
+       "Limit how far --lod lv-error relaxes tau: tau grows with (visible share)^(-1/4), at most to 1 + RELAX times",
+       OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F},
+       "--lod lv-error", [](const Options& o) { return followsError(o) && rowOf(o.frameOptions.lodRule).followsLv; }},
+  };
+}
+
+std::vector<RenderOption> calmRows() {
+  return {
+      {"--calm", "temporal stability", "",
+       "Make levels temporally stable for a moving camera: hysteresis, one level at a time, cross-fades. Without it a "
+       "level depends on the present view alone",
+       OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.calm; }}, rulesWithError(),
+       followsError},
+      {"--hysteresis", "hysteresis", "times tau",
+       "With --calm, keep the current level while it is allowed at both tau * H and tau / H; 1 turns hysteresis off",
+       OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.hysteresis; }, 1.0F, 16.0F},
+       "--calm", isCalm},
+      {"--fade", "cross-fade", "frames", "With --calm, cross-fade a LOD switch over so many frames; 0 switches at once",
+       OptionGroup::kDetail,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.fadeFrames; }, 0, gpu::kMaxFadeFrames},
+       "--calm", isCalm},
   };
 }
 
 std::vector<RenderOption> detailRows() {
   return {
-      {"--lod", "level rule", "",
-       "Detail: finest, linear = by level of visibility, pixel-error = coarsest level within --tau, lv-error = the "
-       "same, "
-       "relaxed where the object is hidden",
+      {"--detail", "detail path", "", "Choose how detail is drawn. " + policy::helpOf(detailTable()),
+       OptionGroup::kDetail, choice<Detail, detailTable, detailOf>()},
+      {"--max-tessellation", "finest patches", "segments per edge", "Limit the tessellation level",
        OptionGroup::kDetail,
-       ChoiceValue{[](Options& o) -> std::string& { return o.lod; }, {"finest", "linear", "pixel-error", "lv-error"}}},
-      {"--tau", "error budget", "pixels", "Error that --lod pixel-error and lv-error allow", OptionGroup::kDetail,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F},
-       "--lod pixel-error or lv-error", followsError},
-      {"--lv", "hiddenness", "",
-       "Measure of hiddenness: thesis = level of visibility, spectral = how finely divided the opening is, chord = how "
-       "short its mean chord, coverage = covered share alone, pixels = counted in the last frame, none [linear: "
-       "thesis, "
-       "lv-error and --view lv: pixels]",
-       OptionGroup::kDetail,
-       ChoiceValue{[](Options& o) -> std::string& { return o.lv; },
-                   {"none", "thesis", "spectral", "chord", "coverage", "pixels"}},
-       "--lod linear, --lod lv-error or --view lv", [](const Options& o) { return usesLv(o) || o.lv == "none"; }},
-      {"--relax", "relaxation", "times tau",
-       "With --lod lv-error, tau grows with (visible share)^(-1/4), up to 1 + RELAX times", OptionGroup::kDetail,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F}, "--lod lv-error",
-       [](const Options& o) { return o.lod == "lv-error"; }},
-      {"--calm", "calm", "",
-       "Levels keep within a margin of the budget (hysteresis), change one at a time and are cross-faded, as in a "
-       "moving "
-       "picture; without it they follow from the view alone",
-       OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.calm; }},
-       "--lod pixel-error or lv-error", followsError},
-      {"--hysteresis", "hysteresis", "times tau",
-       "A calm level stays while tau times and tau over this allow it; 1 = no margin", OptionGroup::kDetail,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.hysteresis; }, 1.0F, 16.0F}, "--calm", isCalm},
-      {"--fade", "cross-fade", "frames", "How long a calm level fades into the next one; 0 = it switches at once",
-       OptionGroup::kDetail,
-       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.fadeFrames; }, 0, gpu::kMaxFadeFrames},
-       "--calm", isCalm},
-      {"--detail", "detail path", "", "discrete = LOD chain, tessellation = Phong patches over the coarsest level",
-       OptionGroup::kDetail,
-       ChoiceValue{[](Options& o) -> std::string& { return o.detail; }, {"discrete", "tessellation"}}},
-      {"--max-tessellation", "finest patches", "edges per edge", "Finest tessellation level", OptionGroup::kDetail,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.maxTessellation; }, 1,
                   gpu::kMaxTessellationLevel},
-       "--detail tessellation", [](const Options& o) { return o.detail == "tessellation"; }},
+       "--detail " + policy::namesWith(detailTable(), &DetailRow::patches),
+       [](const Options& o) { return rowOf(o.frameOptions.detail).patches; }},
   };
 }
 
 std::vector<RenderOption> drawingRows() {
   return {
       {"--draws", "draw commands", "",
-       "instanced = one command per mesh and level, per-object = one per object; same image", OptionGroup::kDrawing,
-       ChoiceValue{[](Options& o) -> std::string& { return o.draws; }, {"instanced", "per-object"}}},
+       "Choose the draw commands; the image is the same. instanced: one command per mesh and level; per-object: one "
+       "command per object",
+       OptionGroup::kDrawing, submissionChoice()},
       {"--capacity", "list capacity", "objects",
-       "Most objects one draw list holds; more are left out, counted and reported [all]", OptionGroup::kDrawing,
+       "Limit the objects that one draw list holds; further objects are not drawn, counted and reported [all]",
+       OptionGroup::kDrawing,
        MaybeCountValue{[](Options& o) -> std::optional<std::uint32_t>& { return o.rendererOptions.capacity; }, 1,
                        0x3fffffffU}},
-      {"--core", "core only", "", "OpenGL 4.5 core only, no extension; same image", OptionGroup::kDrawing,
+      {"--core", "core only", "", "Use OpenGL 4.5 core and no extension; the image is the same", OptionGroup::kDrawing,
        FlagValue{[](Options& o) -> bool& { return o.coreOnly; }}},
   };
 }
 
 std::vector<RenderOption> viewRows() {
   return {
-      {"--view", "view", "",
-       "shaded; lod = occluders red, others blue, lighter = coarser; lv = heat map of hiddenness; coverage = heat map "
-       "of "
-       "the covered share, holes = of the mean hole in front of it; occlusion = the map or depth pyramid itself; phase "
-       "= "
-       "drawn before the test grey, after it orange, before it in vain red; wireframe = the triangles, coloured by "
-       "level; "
-       "overdraw = surfaces per pixel; ghosts = what was culled, see-through over the rest",
-       OptionGroup::kView, ChoiceValue{[](Options& o) -> std::string& { return o.view; }, viewNames()}},
-      {"--map-level", "map level", "pyramid level", "Level that --view occlusion shows; one texel is 2^level pixels",
-       OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.mapLevel; }, 0, 14},
-       "--view occlusion", [](const Options& o) { return o.view == "occlusion"; }},
+      {"--view", "view", "", "Choose what the picture shows. " + policy::helpOf(viewTable()), OptionGroup::kView,
+       choice<View, viewTable, viewOf>()},
+      {"--map-level", "map level", "pyramid level",
+       "Choose the level that --view occlusion shows; one texel is 2^level pixels wide", OptionGroup::kView,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.mapLevel; }, 0, 14},
+       "--view " + policy::namesWith(viewTable(), &ViewRow::replacesFrame),
+       [](const Options& o) { return rowOf(o.frameOptions.view).replacesFrame; }},
       {"--boxes", "rectangles", "",
-       "Draw every object's rectangle on the screen (AABR) over the view: open green, partly covered yellow, hidden "
+       "Draw the bounding rectangle of every object over the view: visible green, partly occluded yellow, occluded "
        "red, "
        "occluders white",
        OptionGroup::kView, FlagValue{[](Options& o) -> bool& { return o.frameOptions.boxes; }}},
       {"--settle", "settle", "frames",
-       "With --mode hiz or --lv pixels, frames from the same camera before the picture; 0 shows the first frame after "
-       "a "
-       "cut",
+       "Render so many frames from the same camera before the picture; 0 shows the first frame after a cut",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.settle; }, 0, 1000},
-       "--mode hiz or --lv pixels", [](const Options& o) { return o.mode == "hiz" || countsPixels(o); }},
+       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::needsHistory) + ", --lv pixels or --calm",
+       [](const Options& o) { return dependsOnHistory(policyOf(o)); }},
   };
 }
 
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
-  for (std::vector<RenderOption>& some : std::array{cullingRows(), detailRows(), drawingRows(), viewRows()})
+  for (std::vector<RenderOption>& some :
+       std::array{cullingRows(), levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;
 }
 
-/// visit with one callable per kind.
-template <class... Calls>
-struct Overloaded : Calls... {
-  using Calls::operator()...;
-};
-
 }  // namespace
-
-const std::vector<std::string>& viewNames() {
-  static const std::vector<std::string> kNames = {"shaded",   "lod",   "lv",        "occlusion", "phase",
-                                                  "coverage", "holes", "wireframe", "overdraw",  "ghosts"};
-  return kNames;
-}
 
 std::span<const RenderOption> renderOptionTable() {
   static const std::vector<RenderOption> kTable = makeTable();
@@ -189,7 +233,7 @@ const RenderOption& renderOption(std::string_view name) {
 }
 
 std::string optionHelp(const RenderOption& option) {
-  return *option.unit == '\0' ? std::string(option.help) : fmt::format("{}; {}", option.help, option.unit);
+  return *option.unit == '\0' ? option.help : fmt::format("{}; {}", option.help, option.unit);
 }
 
 bool applies(const RenderOption& option, const RenderOptions& options) {
@@ -204,7 +248,7 @@ std::string valueText(const RenderOption& option, const RenderOptions& options) 
   RenderOptions copy = options;
   return std::visit(
       Overloaded{
-          [&](const ChoiceValue& v) { return v.of(copy); },
+          [&](const ChoiceValue& v) { return v.get(copy); },
           [&](const NumberValue& v) { return fmt::format("{}", v.of(copy)); },
           [&](const MaybeNumberValue& v) { return v.of(copy) ? fmt::format("{}", *v.of(copy)) : std::string(); },
           [&](const CountValue& v) { return fmt::format("{}", v.of(copy)); },
@@ -217,7 +261,9 @@ std::string valueText(const RenderOption& option, const RenderOptions& options) 
 
 void reset(const RenderOption& option, RenderOptions& options) {
   RenderOptions fresh;
-  std::visit([&](const auto& v) { v.of(options) = v.of(fresh); }, option.value);
+  std::visit(Overloaded{[&](const ChoiceValue& v) { v.set(options, v.get(fresh)); },
+                        [&](const auto& v) { v.of(options) = v.of(fresh); }},
+             option.value);
   options.given.erase(option.name);
 }
 
@@ -253,7 +299,14 @@ void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptio
   CLI::Option* added = std::visit(
       Overloaded{
           [&](const ChoiceValue& v) {
-            return add(v, std::string())
+            return command
+                .add_option_function<std::string>(
+                    option.name,
+                    [&options, &option, set = v.set](const std::string& name) {
+                      set(options, name);
+                      options.given.insert(option.name);
+                    },
+                    help)
                 ->check(CLI::IsMember(v.names).description(""))
                 ->type_name(fmt::format("{}", fmt::join(v.names, "|")));
           },

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -18,11 +19,13 @@ class App;
 
 namespace jalousie::app {
 
-/// Where a value lives in the options, and what it may be. Every `of` lends the value.
+/// A value with names: one row of a table of src/policy, or one of two.
 struct ChoiceValue {
-  std::string& (*of)(RenderOptions&);
+  std::string (*get)(const RenderOptions&);            ///< its name; empty where nothing is chosen
+  void (*set)(RenderOptions&, std::string_view name);  ///< @pre one of names, or empty where that may be (checked)
   std::vector<std::string> names;
 };
+/// Where a value lies in the options, and its range. `of` lends the value.
 struct NumberValue {
   float& (*of)(RenderOptions&);
   float least, most;
@@ -56,10 +59,10 @@ struct RenderOption {
   const char* name;   ///< "--tau"
   const char* label;  ///< for people: "error budget"
   const char* unit;   ///< "pixels"; empty where there is none
-  const char* help;   ///< what it does
+  std::string help;   ///< what it does
   OptionGroup group;
   OptionValue value;
-  const char* needs = "";                           ///< what it goes with, for the refusal: "--detail tessellation"
+  std::string needs = {};                           ///< what it goes with, for the refusal: "--detail tessellation"
   bool (*applies)(const RenderOptions&) = nullptr;  ///< null: always
 };
 

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 #include "app/option_checks.h"
 #include "app/option_values.h"
 #include "app/render_option_table.h"
 #include "core/error.h"
+#include "policy/table.h"
 
 namespace jalousie::app {
 namespace {
@@ -32,12 +30,6 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
   throw Error(ErrorCode::kUsage, reason);
 }
 
-/// Position of a choice's value among its names: the number that the shaders know it by.
-gpu::uint indexOf(const char* option, const std::string& value) {
-  const auto& names = std::get<ChoiceValue>(renderOption(option).value).names;
-  return static_cast<gpu::uint>(std::find(names.begin(), names.end(), value) - names.begin());
-}
-
 void checkCamera(const RenderOptions& o) {
   if (o.eye.has_value() != o.look.has_value()) refuse("--eye and --look go together");
   if (o.eye && o.frame) refuse("choose either --frame or --eye and --look");
@@ -46,14 +38,16 @@ void checkCamera(const RenderOptions& o) {
 }
 
 void checkCombination(const RenderOptions& o) {
-  const bool tests = o.mode == "hom" || o.mode == "hom-depth" || o.mode == "hiz";
-  const bool followsLv = o.lod == "linear" || o.lod == "lv-error";
-  const bool showsBlock = o.view == "coverage" || o.view == "holes";
-  if (!tests && (followsLv || o.view == "lv") && o.lv != "pixels")
-    refuse("--lod linear, lv-error and --view lv need --mode hom, hom-depth or hiz, or --lv pixels");
-  if (!tests && (o.view == "occlusion" || showsBlock))
-    refuse(fmt::format("--view {} needs --mode hom, hom-depth or hiz", o.view));
-  if (o.mode != "hiz" && o.view == "phase") refuse("--view phase needs --mode hiz");
+  const FramePolicy& policy = o.frameOptions;
+  const ViewRow& view = rowOf(policy.view);
+  const std::string testing = policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion);
+  const bool tests = rowOf(policy.cullMode).testsOcclusion;
+  if (!tests && wantsBlock(policy))
+    refuse(fmt::format("--lod linear, lv-error and --view lv need --mode {}, or --lv pixels", testing));
+  if (!tests && view.needsOcclusionTest) refuse(fmt::format("--view {} needs --mode {}", view.name, testing));
+  if (!rowOf(policy.cullMode).twoPhases && view.needsTwoPhases)
+    refuse(fmt::format("--view {} needs --mode {}", view.name,
+                       policy::namesWith(cullModeTable(), &CullModeRow::twoPhases)));
   for (const RenderOption& option : renderOptionTable())
     if (isSet(option, o) && !applies(option, o)) refuse(fmt::format("{} needs {}", option.name, option.needs));
 }
@@ -99,17 +93,10 @@ void RenderOptions::finish() {
 }
 
 void RenderOptions::finishFrame() {
-  if (lv.empty()) lv = lod == "linear" ? "thesis" : lod == "lv-error" || view == "lv" ? "pixels" : "none";
+  frameOptions.lvMeasure = lv.value_or(defaultMeasure(frameOptions));
   checkCamera(*this);
   checkCombination(*this);
-  frameOptions.cullMode = indexOf("--mode", mode);
-  frameOptions.lodRule = indexOf("--lod", lod);
-  frameOptions.lvMeasure = indexOf("--lv", lv);
-  frameOptions.detail = indexOf("--detail", detail);
-  frameOptions.view = indexOf("--view", view);
   frameOptions.skipDraw = statsOnly;
-  rendererOptions.submission =
-      draws == "instanced" ? visibility::Submission::kInstanced : visibility::Submission::kPerObject;
   rendererOptions.fastPaths = !coreOnly;
 }
 

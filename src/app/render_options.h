@@ -7,9 +7,8 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
-#include "render/frame_renderer.h"
+#include "render/frame_options.h"
 
 namespace CLI {
 class App;
@@ -31,30 +30,22 @@ struct RenderOptions {
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   std::filesystem::path importance;  ///< mask image; empty: none
-  std::string mode = "hiz";
-  std::string lod = "lv-error";
-  /// finish() fills in what was not said: thesis with --lod linear, pixels where LV is used, else none
-  std::string lv;
-  std::string detail = "discrete";
-  std::string view = "shaded";
+  std::optional<LvMeasure> lv;       ///< absent: defaultMeasure()
   std::uint32_t repeat = 1;
-  std::uint32_t settle = 2;  ///< frames before the picture with hiz: 0 shows the frame of a cut
+  std::uint32_t settle = 2;  ///< frames before the picture where it depends on history; 0 shows the frame of a cut
   bool statsOnly = false;
   bool quiet = false;
-  std::string draws = "instanced";
+  bool debug = false;  ///< use an OpenGL debug context; its messages set the exit code
   bool coreOnly = false;
-  std::set<std::string> given;              ///< names of the table's options that were said, whatever their value
-  render::FrameOptions frameOptions;        ///< the enums of the texts above, filled by finish()
-  render::RendererOptions rendererOptions;  ///< likewise
+  std::set<std::string> given;  ///< names of the table's options that the command line holds, whatever their value
+  render::FrameOptions frameOptions;
+  render::RendererOptions rendererOptions;
 
-  /// Resolves texts to enums and refuses contradictions. Errors: kUsage.
+  /// Fills in what follows from other options and refuses contradictions. Errors: kUsage.
   void finish();
   /// The same for what has no output: the viewer.
   void finishFrame();
 };
-
-/// Names of the views, in the order of gpu::kView...
-const std::vector<std::string>& viewNames();
 
 /// Declares the options that choose how a frame is culled and detailed, and none of camera and output.
 void addMethodOptions(CLI::App& command, RenderOptions& options);

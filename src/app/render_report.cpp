@@ -1,9 +1,11 @@
-// Formats the figures of one frame.
+// Formats the statistics and times of one frame.
 #include "app/render_report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
+#include "compare/statistics_table.h"
 
 namespace jalousie::app {
 namespace {
@@ -19,28 +21,30 @@ std::string grouped(std::uint64_t value) {
   return text;
 }
 
+// The figures that a report shows depend on the method.
+bool followsTau(const RenderOptions& options) {
+  return rowOf(options.frameOptions.lodRule).followsError;
+}
+bool relaxesTau(const RenderOptions& options) {
+  return followsTau(options) && rowOf(options.frameOptions.lodRule).followsLv;
+}
+bool tessellates(const RenderOptions& options) {
+  return rowOf(options.frameOptions.detail).patches;
+}
+bool hasTwoPhases(const RenderOptions& options) {
+  return rowOf(options.frameOptions.cullMode).twoPhases;
+}
+
 double percent(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
 }  // namespace
 
-void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& s) {
-  json["objects"] = s.objects;
-  json["culled_frustum"] = s.culledFrustum;
-  json["occluders"] = s.occluders;
-  json["culled_occlusion"] = s.culledOcclusion;
-  json["culled_small"] = s.culledSmall;
-  json["drawn"] = s.drawn;
-  json["drawn_early"] = s.drawnEarly;
-  json["drawn_stale"] = s.drawnStale;
-  json["switches"] = s.switches;
-  json["fading"] = s.fading;
-  json["dropped"] = s.dropped;
-  json["draws"] = s.draws;
-  json["triangles"] = s.triangles;
-  json["triangles_full"] = s.trianglesFull;
-  json["lod_histogram"] = s.lodHistogram;
+void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& statistics) {
+  for (const compare::StatisticsField& field : compare::kStatisticsFields)
+    json[field.key] = statistics.*field.value;
+  json["lod_histogram"] = statistics.lodHistogram;
 }
 
 std::string reportJson(const RenderOptions& options, const RenderReport& report) {
@@ -49,13 +53,13 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["renderer"] = report.renderer;
   json["width"] = options.width;
   json["height"] = options.height;
-  json["mode"] = options.mode;
-  json["lod"] = options.lod;
-  json["lv"] = options.lv;
-  if (options.lod == "pixel-error" || options.lod == "lv-error") json["tau"] = options.frameOptions.tau;
-  if (options.lod == "lv-error") json["relax"] = options.frameOptions.relax;
-  json["detail"] = options.detail;
-  if (options.detail == "tessellation") json["max_tessellation"] = report.maxTessellation;
+  json["mode"] = rowOf(options.frameOptions.cullMode).name;
+  json["lod"] = rowOf(options.frameOptions.lodRule).name;
+  json["lv"] = rowOf(options.frameOptions.lvMeasure).name;
+  if (followsTau(options)) json["tau"] = options.frameOptions.tau;
+  if (relaxesTau(options)) json["relax"] = options.frameOptions.relax;
+  json["detail"] = rowOf(options.frameOptions.detail).name;
+  if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
   json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
@@ -68,17 +72,18 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
 std::string reportText(const RenderOptions& options, const RenderReport& report) {
   const render::FrameStatistics& s = report.statistics;
   std::string text = fmt::format("{}x{}  mode {}  lod {}  detail {}   {}\n", options.width, options.height,
-                                 options.mode, options.lod, options.detail, report.renderer);
+                                 rowOf(options.frameOptions.cullMode).name, rowOf(options.frameOptions.lodRule).name,
+                                 rowOf(options.frameOptions.detail).name, report.renderer);
   text += fmt::format("  objects   {:>13}   outside {}, occluded {}, ", grouped(s.objects), grouped(s.culledFrustum),
                       grouped(s.culledOcclusion));
   if (options.frameOptions.minPixels > 0.0F) text += fmt::format("small {}, ", grouped(s.culledSmall));
   text += fmt::format("drawn {}", grouped(s.drawn));
-  if (options.mode == "hiz") text += fmt::format(" ({} before the test)", grouped(s.drawnEarly));
+  if (hasTwoPhases(options)) text += fmt::format(" ({} in phase 1)", grouped(s.drawnEarly));
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFull), grouped(s.trianglesFull));
-  text += options.detail == "tessellation" ? "  levels 1.." : "  LOD 0..";
+  text += tessellates(options) ? "  levels 1.." : "  LOD 0..";
   text += fmt::format(" {}\n", fmt::join(s.lodHistogram, " "));
   text += fmt::format("  time {:.1f} ms:", report.times.frameMs);
   for (const auto& [name, ms] : report.times.passes)

@@ -1,4 +1,4 @@
-// The figures of a rendered frame, as JSON with fixed keys and as text for people.
+// Statistics and times of a rendered frame, as JSON with fixed keys and as text for a terminal.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,23 +13,24 @@ namespace jalousie::app {
 
 /// Names and milliseconds of the passes, in frame order.
 struct FrameTimes {
-  std::vector<std::pair<std::string, double>> passes;  ///< median over the repeats, times the share of frames it ran in
-  double frameMs = 0.0;                                ///< their sum
+  /// Median over the repeats, times the share of frames in which the pass ran.
+  std::vector<std::pair<std::string, double>> passes;
+  double frameMs = 0.0;  ///< sum over the passes
 };
 
 struct RenderReport {
   std::string renderer;
-  bool gpuTiming = false;  ///< times are differences of GPU timestamps, not wall time between two glFinish
+  bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
-  std::uint32_t maxTessellation = 0;  ///< finest level in use; below the option where the driver needs it
+  std::uint32_t maxTessellation = 0;  ///< finest level in use; drivers can force a lower one than the option asks for
 };
 
-/// Adds the counts of a frame under their keys.
+/// Adds the counts of a frame and its level histogram (docs/formats.md).
 void addCounts(nlohmann::ordered_json& json, const render::FrameStatistics& statistics);
-/// Keys as in docs/formats.md. @param options  finished
+/// Keys as in docs/formats.md. @param options  after finish()
 std::string reportJson(const RenderOptions& options, const RenderReport& report);
-/// A short summary with the same figures.
+/// A summary of the same figures in a few lines.
 std::string reportText(const RenderOptions& options, const RenderReport& report);
 
 }  // namespace jalousie::app

@@ -1,10 +1,11 @@
 // Cameras and their motion into a glTF model.
 #pragma once
 
+#include <tiny_gltf.h>
+
 #include <string>
 
-#include "asset/gltf_file.h"
-#include "asset/scene_file.h"
+#include "asset/scene_types.h"
 
 namespace jalousie::asset {
 

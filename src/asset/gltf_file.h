@@ -5,30 +5,14 @@
 #include <tiny_gltf.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "asset/read_limits.h"
+
 namespace jalousie::asset {
-
-/// Limits on what a document may ask for; exceeded ones throw kLimit before anything is allocated.
-struct Limits {
-  std::uint64_t maxFileBytes = 2ULL << 30U;         ///< any single file read, buffers included
-  std::uint32_t maxJsonDepth = 64;                  ///< nesting of arrays and objects
-  std::uint64_t maxJsonElements = 20'000'000;       ///< commas in the JSON, a bound on its values
-  std::uint64_t maxAccessorElements = 1ULL << 28U;  ///< elements of one accessor
-  std::uint64_t maxEmptyElements = 1ULL << 22U;     ///< elements of all accessors without data, which cost no byte
-  std::uint64_t maxInstances = 1ULL << 24U;         ///< objects after flattening the node hierarchy
-  std::uint32_t maxImageSide = 16384;               ///< pixels
-};
-
-/// Told of every file that was read beside the document itself: its name relative to the document's folder, and its
-/// bytes, which are absent if there was no such file. May be empty.
-using ReadObserver = std::function<void(const std::string& name, std::optional<std::span<const std::byte>> bytes)>;
 
 /// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG or JPEG bytes of
 /// the file, URI or buffer view, and `image.as_is` is true; formats and sides are checked. External files are opened

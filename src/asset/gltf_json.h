@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "asset/gltf_file.h"
+#include "asset/read_limits.h"
 
 namespace jalousie::asset::detail {
 

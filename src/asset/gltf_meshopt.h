@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "asset/gltf_file.h"
+#include "asset/read_limits.h"
 
 namespace jalousie::asset::detail {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "asset/gltf_file.h"
+#include "asset/read_limits.h"
 #include "core/confined_folder.h"
 
 namespace jalousie::asset::detail {

@@ -3,7 +3,7 @@
 
 #include <tiny_gltf.h>
 
-#include "asset/gltf_file.h"
+#include "asset/read_limits.h"
 
 namespace jalousie::asset::detail {
 

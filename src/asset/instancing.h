@@ -7,7 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
 
-#include "asset/gltf_file.h"
+#include "asset/read_limits.h"
 
 namespace jalousie::asset {
 

@@ -6,7 +6,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "asset/scene_file.h"
+#include "asset/read_limits.h"
+#include "asset/scene_types.h"
 
 namespace jalousie::asset::detail {
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "asset/gltf_file.h"
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"

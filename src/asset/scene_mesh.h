@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "asset/scene_file.h"
+#include "asset/scene_types.h"
 
 namespace jalousie::asset::detail {
 

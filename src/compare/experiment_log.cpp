@@ -1,4 +1,4 @@
-// The log's format: a head with the fingerprint, then one object per step.
+// Format of the log: a head with the fingerprint, then one object per step.
 #include "compare/experiment_log.h"
 
 #include <fmt/format.h>
@@ -7,8 +7,10 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <string_view>
+#include <vector>
 
+#include "compare/statistics_table.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -24,90 +26,9 @@ std::filesystem::path logFile(const std::filesystem::path& folder) {
   return folder / kLogName;
 }
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo).
-class Hash {
- public:
-  void bytes(std::span<const std::byte> data) {
-    for (const std::byte b : data)
-      state_ = (state_ ^ static_cast<std::uint64_t>(b)) * 0x100000001b3ULL;
-  }
-  template <class T>
-  void values(const std::vector<T>& data) {
-    value(data.size());
-    bytes(std::as_bytes(std::span(data)));
-  }
-  template <class T>
-  void value(const T& data) {
-    bytes(std::as_bytes(std::span(&data, 1)));
-  }
-  void text(const std::string& data) {
-    value(data.size());
-    bytes(std::as_bytes(std::span(data.data(), data.size())));
-  }
-  std::string digits() const { return fmt::format("{:016x}", state_); }
-
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325ULL;
-};
-
-void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& path, const Plan& plan) {
-  hash.values(scene.vertices);
-  hash.values(scene.indices);
-  hash.values(scene.transforms);
-  hash.values(scene.objects);
-  hash.values(scene.chains);
-  hash.values(scene.lods);
-  hash.values(scene.materials);
-  for (const std::vector<ImageRgba8>& layer : scene.textures.layers)
-    if (!layer.empty()) hash.values(layer.front().pixels);
-  hash.value(path.fovY);
-  hash.value(path.zNear);
-  hash.value(path.zFar.value_or(0.0F));
-  hash.value(path.worldFromCamera);
-  hash.value(path.worldFromParent);
-  hash.values(path.track.translationTimes);
-  hash.values(path.track.translations);
-  hash.values(path.track.rotationTimes);
-  hash.values(path.track.rotations);
-  hash.value(plan.width);
-  hash.value(plan.height);
-  hash.value(plan.reference);
-  hash.text(plan.renderer);
-  hash.text(plan.build);
-}
-
-json toJson(const Sample& sample) {
-  const render::FrameStatistics& s = sample.statistics;
-  json passes = json::array();
-  for (const auto& [name, ms] : sample.passes)
-    passes.push_back({name, ms});
-  json result = {{"frame", sample.frame},
-                 {"configuration", sample.configuration},
-                 {"objects", s.objects},
-                 {"culled_frustum", s.culledFrustum},
-                 {"culled_occlusion", s.culledOcclusion},
-                 {"culled_small", s.culledSmall},
-                 {"occluders", s.occluders},
-                 {"drawn", s.drawn},
-                 {"drawn_early", s.drawnEarly},
-                 {"drawn_stale", s.drawnStale},
-                 {"switches", s.switches},
-                 {"fading", s.fading},
-                 {"dropped", s.dropped},
-                 {"draws", s.draws},
-                 {"triangles", s.triangles},
-                 {"triangles_full", s.trianglesFull},
-                 {"lod_histogram", s.lodHistogram},
-                 {"frame_ms", sample.frameMs},
-                 {"passes", passes}};
-  if (sample.error)  // no number stands for infinity
-    result["error"] = {{"psnr", std::isinf(sample.error->psnr) ? json() : json(sample.error->psnr)},
-                       {"ssim", sample.error->ssim},
-                       {"flip", sample.error->flip}};
-  if (sample.visible) result["visible"] = *sample.visible;
-  if (sample.temporal) result["temporal_flip"] = *sample.temporal;
-  if (sample.switched) result["visible_switched"] = *sample.switched;
-  return result;
+/// JSON has no infinity: equal pictures have the PSNR null.
+json toJson(const ImageError& error) {
+  return {{"psnr", std::isinf(error.psnr) ? json() : json(error.psnr)}, {"ssim", error.ssim}, {"flip", error.flip}};
 }
 
 ImageError errorFrom(const json& value) {
@@ -116,26 +37,30 @@ ImageError errorFrom(const json& value) {
           value.at("flip")};
 }
 
+json toJson(const Sample& sample) {
+  json result = {{"frame", sample.frame},
+                 {"configuration", sample.configuration},
+                 {"frame_ms", sample.frameMs},
+                 {"passes", json::array()},
+                 {"lod_histogram", sample.statistics.lodHistogram}};
+  for (const StatisticsField& field : kStatisticsFields)
+    result[field.key] = sample.statistics.*field.value;
+  for (const auto& [name, ms] : sample.passes)
+    result["passes"].push_back({name, ms});
+  if (sample.error) result["error"] = toJson(*sample.error);
+  if (sample.visible) result["visible"] = *sample.visible;
+  if (sample.temporal) result["temporal_flip"] = *sample.temporal;
+  if (sample.switched) result["visible_switched"] = *sample.switched;
+  return result;
+}
+
 Sample sampleFrom(const json& value) {
   Sample sample;
   sample.frame = value.at("frame");
   sample.configuration = value.at("configuration");
-  render::FrameStatistics& s = sample.statistics;
-  s.objects = value.at("objects");
-  s.culledFrustum = value.at("culled_frustum");
-  s.culledOcclusion = value.at("culled_occlusion");
-  s.culledSmall = value.at("culled_small");
-  s.occluders = value.at("occluders");
-  s.drawn = value.at("drawn");
-  s.drawnEarly = value.at("drawn_early");
-  s.drawnStale = value.at("drawn_stale");
-  s.switches = value.at("switches");
-  s.fading = value.at("fading");
-  s.dropped = value.at("dropped");
-  s.draws = value.at("draws");
-  s.triangles = value.at("triangles");
-  s.trianglesFull = value.at("triangles_full");
-  s.lodHistogram = value.at("lod_histogram").get<std::vector<std::uint64_t>>();
+  for (const StatisticsField& field : kStatisticsFields)
+    sample.statistics.*field.value = value.at(field.key);
+  sample.statistics.lodHistogram = value.at("lod_histogram").get<std::vector<std::uint64_t>>();
   sample.frameMs = value.at("frame_ms");
   for (const json& pass : value.at("passes"))
     sample.passes.emplace_back(pass.at(0).get<std::string>(), pass.at(1).get<double>());
@@ -160,15 +85,8 @@ KeptSample keptFrom(const json& value) {
 }
 
 json toJson(const SweepSample& sample) {
-  return {{"configuration", sample.configuration},
-          {"tau", sample.tau},
-          {"frame", sample.frame},
-          {"triangles", sample.triangles},
-          {"frame_ms", sample.frameMs},
-          {"error",
-           {{"psnr", std::isinf(sample.error.psnr) ? json() : json(sample.error.psnr)},
-            {"ssim", sample.error.ssim},
-            {"flip", sample.error.flip}}}};
+  return {{"configuration", sample.configuration}, {"tau", sample.tau},          {"frame", sample.frame},
+          {"triangles", sample.triangles},         {"frame_ms", sample.frameMs}, {"error", toJson(sample.error)}};
 }
 
 SweepSample sweepFrom(const json& value) {
@@ -188,34 +106,6 @@ Results stepFrom(const json& line) {
 }
 
 }  // namespace
-
-std::string referenceFingerprint(const scene::SceneData& scene, const asset::Camera& path, const Plan& plan) {
-  Hash hash;
-  addScene(hash, scene, path, plan);
-  return hash.digits();
-}
-
-std::string experimentFingerprint(const scene::SceneData& scene, const asset::Camera& path,
-                                  const std::vector<Configuration>& configurations, const Plan& plan) {
-  Hash hash;
-  addScene(hash, scene, path, plan);
-  hash.value(plan.range.first);
-  hash.value(plan.range.last);
-  hash.value(plan.range.step);
-  hash.value(plan.lead);
-  hash.value(plan.keep);
-  hash.values(plan.taus);
-  hash.value(plan.baseline);
-  hash.value(plan.gpuTiming);
-  hash.value(plan.pixelsPerDegree);
-  for (const Configuration& configuration : configurations) {
-    hash.text(configuration.name);
-    hash.text(configuration.commandLine);
-    if (const visibility::ImportanceMask* mask = configuration.renderer.importance; mask != nullptr)
-      hash.bytes(std::as_bytes(mask->level(0)));
-  }
-  return hash.digits();
-}
 
 void startLog(const std::filesystem::path& folder, const std::string& fingerprint) {
   writeFileAtomic(logFile(folder), json({{"log", kLogVersion}, {"experiment", fingerprint}}).dump() + "\n");
@@ -240,30 +130,25 @@ bool holdsLog(const std::filesystem::path& folder) {
   return line.is_object() && line.contains("log") && line.contains("experiment");
 }
 
-std::string digestOf(std::span<const std::byte> bytes) {
-  Hash hash;
-  hash.bytes(bytes);
-  return hash.digits();
-}
-
 std::size_t readLog(const std::filesystem::path& folder, const std::string& fingerprint, Results& results) {
   const std::filesystem::path file = logFile(folder);
   if (!std::filesystem::exists(file)) return 0;
   const std::vector<std::byte> bytes = readFile(file, kMaxLogBytes);
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::size_t steps = 0;
-  std::string whole;
+  std::string whole;  // the lines that are complete
   try {
     for (bool head = true; !text.empty(); head = false) {
       const std::size_t end = text.find('\n');
-      if (end == std::string_view::npos) break;  // the line that an interruption cut off
+      if (end == std::string_view::npos) break;  // an interruption cut the line off
       const json line = json::parse(text.substr(0, end));
       if (head) {
         if (line.at("log") != kLogVersion || line.at("experiment") != fingerprint)
-          throw Error(ErrorCode::kUsage,
-                      "holds another experiment (scene, path or options differ); choose another folder, or leave out "
-                      "--resume to replace it",
-                      folder);
+          throw Error(
+              ErrorCode::kUsage,
+              "holds another experiment (scene, path, options, driver or program differ); choose another folder, "
+              "or leave out --resume to replace it",
+              folder);
       } else {
         append(results, stepFrom(line));
         ++steps;
@@ -272,16 +157,10 @@ std::size_t readLog(const std::filesystem::path& folder, const std::string& fing
       text.remove_prefix(end + 1);
     }
   } catch (const json::exception& error) {
-    throw Error(ErrorCode::kMalformed, fmt::format("not a log of ours ({})", error.what()), file);
+    throw Error(ErrorCode::kMalformed, fmt::format("is no log of an experiment ({})", error.what()), file);
   }
   if (!text.empty()) writeFileAtomic(file, whole);
   return steps;
-}
-
-void append(Results& results, const Results& more) {
-  results.samples.insert(results.samples.end(), more.samples.begin(), more.samples.end());
-  results.kept.insert(results.kept.end(), more.kept.begin(), more.kept.end());
-  results.sweep.insert(results.sweep.end(), more.sweep.begin(), more.sweep.end());
 }
 
 }  // namespace jalousie::compare

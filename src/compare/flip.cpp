@@ -1,5 +1,5 @@
 // LDR-FLIP: P. Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", HPG 2020. Section numbers in
-// the comments are the paper's; constants are its table 1 and section 4.
+// the comments refer to this paper; the constants are from its table 1 and section 4.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 using Plane = std::vector<float>;
 using Color = std::array<double, 3>;
 
-// sRGB primaries to CIE XYZ under D65, and the white that they add up to.
+// sRGB to CIE XYZ under D65. kWhite is the XYZ of white, the sum of the three primaries.
 constexpr double kXyzFromRgb[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                       {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                       {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};
@@ -54,10 +54,10 @@ std::array<double, 256> linearTable() {
   return table;
 }
 
-/// Weights of a symmetric or antisymmetric kernel, 2 radius + 1 of them.
+/// [2 radius + 1] weights of a symmetric or antisymmetric kernel.
 using Kernel = std::vector<float>;
 
-/// Every row against a kernel; beyond the border the nearest pixel counts.
+/// Convolves every row with a kernel; beyond the border the nearest pixel is repeated.
 Plane convolveRows(const Plane& source, std::uint32_t width, std::uint32_t height, const Kernel& kernel) {
   const std::size_t radius = kernel.size() / 2;
   Plane result(source.size(), 0.0F);
@@ -75,6 +75,7 @@ Plane convolveRows(const Plane& source, std::uint32_t width, std::uint32_t heigh
   return result;
 }
 
+/// Convolves every column likewise.
 Plane convolveColumns(const Plane& source, std::uint32_t width, std::uint32_t height, const Kernel& kernel) {
   const auto radius = static_cast<std::int64_t>(kernel.size() / 2);
   Plane result(source.size(), 0.0F);
@@ -100,7 +101,7 @@ constexpr GaussianTerm kRedGreen[] = {{1.0, 0.0053}};
 constexpr GaussianTerm kBlueYellow[] = {{34.1, 0.04}, {13.5, 0.025}};
 constexpr double kWidestB = 0.04;
 
-/// 4.1.1: a channel through its filter. Each Gaussian is a product of rows and columns; the weights add up to 1.
+/// 4.1.1: filters a channel by contrast sensitivity. Each Gaussian is separable; the weights of all terms add up to 1.
 Plane spatiallyFiltered(const Plane& channel, std::uint32_t width, std::uint32_t height,
                         std::span<const GaussianTerm> terms, double pixelsPerDegree) {
   constexpr double kPi = std::numbers::pi;
@@ -120,7 +121,7 @@ Plane spatiallyFiltered(const Plane& channel, std::uint32_t width, std::uint32_t
   Plane result(channel.size(), 0.0F);
   for (std::size_t k = 0; k < terms.size(); ++k) {
     const double weight =
-        std::sqrt(terms[k].a * std::sqrt(kPi / terms[k].b) / total);  // once for rows, once for columns
+        std::sqrt(terms[k].a * std::sqrt(kPi / terms[k].b) / total);  // applied to rows and to columns
     Kernel kernel;
     for (const double value : profiles[k])
       kernel.push_back(static_cast<float>(weight * value));
@@ -131,8 +132,8 @@ Plane spatiallyFiltered(const Plane& channel, std::uint32_t width, std::uint32_t
   return result;
 }
 
-/// 4.2: derivative of a Gaussian whose width is that of an edge the eye detects. Positive weights add up to 1, negative
-/// ones to -1. @param order  1 finds edges, 2 points
+/// 4.2: derivative of a Gaussian as wide as the features that the eye detects. Positive weights add up to 1, negative
+/// ones to -1. @param order  1: edges, 2: points
 Kernel featureKernel(int order, double deviation) {
   const int radius = static_cast<int>(std::ceil(3.0 * deviation));
   std::vector<double> weights;
@@ -166,7 +167,7 @@ Kernel gaussianKernel(double deviation) {
 /// Width of the detected features, degrees.
 constexpr double kFeatureDegrees = 0.082;
 
-/// Length of the gradient of order 1 or 2 at each pixel.
+/// Length of the gradient at each pixel. @param order  of the derivative, 1 or 2
 Plane featureStrength(const Plane& luminance, std::uint32_t width, std::uint32_t height, int order,
                       double pixelsPerDegree) {
   const double deviation = 0.5 * kFeatureDegrees * pixelsPerDegree;
@@ -184,7 +185,7 @@ double labCurve(double t) {
   return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
 }
 
-/// 4.1.2: CIELAB with chroma that weakens in the dark (Hunt). @param xyz  relative to white
+/// 4.1.2: CIELAB with the Hunt effect: chroma decreases with lightness. @param xyz  relative to white
 Color huntLab(const Color& xyz) {
   const double fx = labCurve(xyz[0]);
   const double fy = labCurve(xyz[1]);
@@ -195,14 +196,14 @@ Color huntLab(const Color& xyz) {
 
 constexpr double kColorExponent = 0.7;    // qc
 constexpr double kFeatureExponent = 0.5;  // qf
-constexpr double kKnee = 0.4;             // pc: up to this share of the largest distance ...
-constexpr double kKneeValue = 0.95;       // pt: ... the result is linear up to this
+constexpr double kKnee = 0.4;             // pc: share of the largest distance at which the slope of the error changes
+constexpr double kKneeValue = 0.95;       // pt: error at this share
 
 double hyab(const Color& a, const Color& b) {
   return std::abs(a[0] - b[0]) + std::sqrt((a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/// qc-th power of the largest distance, that of green and blue.
+/// qc-th power of the largest colour distance, the one between green and blue.
 double largestColorDistance() {
   const auto lab = [](const Color& rgb) {
     Color xyz = xyzOf(rgb);
@@ -221,7 +222,7 @@ FlipImage::FlipImage(const ImageRgba8& image, double pixelsPerDegree) : width_(i
   JAL_CHECK(width_ > 0U);
   JAL_CHECK(height_ > 0U);
   const std::size_t count = std::size_t{width_} * height_;
-  // YCxCz: the opponent space that the filters are defined in.
+  // YCxCz, the opponent space that the filters are defined in.
   static const std::array<double, 256> kLinear = linearTable();
   Plane opponent[3];
   for (Plane& plane : opponent)
@@ -252,7 +253,7 @@ FlipImage::FlipImage(const ImageRgba8& image, double pixelsPerDegree) : width_(i
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t k = 0; k < 3; ++k)
         rgb[c] += kRgbFromXyz[c][k] * xyz[k];
-      rgb[c] = std::clamp(rgb[c], 0.0, 1.0);  // filtering can leave the cube
+      rgb[c] = std::clamp(rgb[c], 0.0, 1.0);  // filtered colours can lie outside the cube
     }
     Color relative = xyzOf(rgb);
     for (std::size_t c = 0; c < 3; ++c)
@@ -272,12 +273,12 @@ std::vector<float> flipMap(const FlipImage& reference, const FlipImage& test) {
     const auto lab = [i](const FlipImage& image) {
       return Color{image.lab_[0][i], image.lab_[1][i], image.lab_[2][i]};
     };
-    // 4.1.3: the error of colour, most of the range for what is small.
+    // 4.1.3: colour error; small distances get most of the range.
     const double distance = std::pow(hyab(lab(reference), lab(test)), kColorExponent);
     const double knee = kKnee * kLargest;
     const double color = distance < knee ? distance * kKneeValue / knee
                                          : kKneeValue + (distance - knee) / (kLargest - knee) * (1.0 - kKneeValue);
-    // 4.2 and 4.3: the error of features amplifies it.
+    // 4.2 and 4.3: the feature error amplifies the colour error.
     const double difference =
         std::max(std::abs(reference.edge_[i] - test.edge_[i]), std::abs(reference.point_[i] - test.point_[i]));
     const double feature = std::clamp(std::pow(difference / std::numbers::sqrt2, kFeatureExponent), 0.0, 1.0);
@@ -288,7 +289,7 @@ std::vector<float> flipMap(const FlipImage& reference, const FlipImage& test) {
 
 ImageRgba8 errorPicture(const std::vector<float>& map, std::uint32_t width, std::uint32_t height) {
   JAL_CHECK(map.size() == std::size_t{width} * height);
-  // Nine points of matplotlib's "magma", linear in between.
+  // Nine points of matplotlib's "magma", interpolated linearly.
   constexpr double kScale[9][3] = {{0, 0, 4},      {28, 16, 68},   {79, 18, 123},   {129, 37, 129}, {181, 54, 122},
                                    {229, 80, 100}, {251, 135, 97}, {254, 194, 135}, {252, 253, 191}};
   ImageRgba8 picture{width, height, std::vector<std::uint8_t>(4 * map.size(), 255)};

@@ -1,4 +1,4 @@
-// PSNR and SSIM: plain sums in double precision, and whole numbers where the definition has them.
+// PSNR and SSIM: integer sums per window, double precision across windows.
 #include "compare/image_error.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ double windowSimilarity(const ImageRgba8& a, const ImageRgba8& b, std::uint32_t 
       sumAB += u * v;
     }
   }
-  // Everything times n^2, variances times n (n - 1).
+  // Squared means are scaled by n^2, variances by n (n - 1), so that the sums stay integers.
   constexpr double kCount = kLeastSsimSide * kLeastSsimSide;
   constexpr double kC1 = 0.01 * 0.01 * 255 * 255 * kCount * kCount;
   constexpr double kC2 = 0.03 * 0.03 * 255 * 255 * kCount * (kCount - 1);

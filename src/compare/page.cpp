@@ -1,4 +1,4 @@
-// Puts the data into the page's template.
+// Inserts data and pictures into the page's template.
 #include "compare/page.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/image_io.h"
+#include "compare/configuration.h"
 #include "compare/page_pictures.h"
+#include "compare/report_folder.h"
 #include "core/check.h"
 
 namespace jalousie::compare {
@@ -16,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Six significant digits are more than any chart shows, and half the bytes.
+/// Rounds to six significant digits: more than a chart can show, in half the bytes. Null if not finite.
 ordered_json shortNumber(double value) {
   if (!std::isfinite(value)) return nullptr;
   return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
@@ -52,13 +54,13 @@ ordered_json seriesJson(const Results& results, const std::string& name, std::si
   return series;
 }
 
-/// One kept picture and where its text goes.
+/// One kept picture.
 struct Kept {
-  ordered_json* target;
+  ordered_json* target;  ///< receives its data URI
   std::filesystem::path file;
 };
 
-/// Encodes all in one format; false as soon as they need more than the room there is.
+/// Encodes all pictures in one format. @return false as soon as they need more than `room` bytes
 bool encodeAll(const std::vector<Kept>& pictures, const PictureFormat& format, std::uint64_t room) {
   std::uint64_t used = 0;
   for (const Kept& picture : pictures) {
@@ -70,7 +72,7 @@ bool encodeAll(const std::vector<Kept>& pictures, const PictureFormat& format, s
   return true;
 }
 
-/// Bytes that all would need, judged by every twelfth of them.
+/// Bytes that all pictures would need, extrapolated from every twelfth one.
 double estimatedBytes(const std::vector<Kept>& pictures, const PictureFormat& format) {
   constexpr std::size_t kStride = 12;
   std::uint64_t bytes = 0;
@@ -80,7 +82,7 @@ double estimatedBytes(const std::vector<Kept>& pictures, const PictureFormat& fo
   return static_cast<double>(bytes) * static_cast<double>(pictures.size()) / static_cast<double>(count);
 }
 
-/// Fills the pictures' texts. @return what the page says about them
+/// Fills the pictures' targets. @return a note on format and size for the page; empty without pictures
 std::string embed(const std::vector<Kept>& pictures, std::uint64_t room, const ordered_json& summary) {
   if (pictures.empty()) return {};
   const double longest = std::max(summary.at("width").get<double>(), summary.at("height").get<double>());
@@ -90,14 +92,15 @@ std::string embed(const std::vector<Kept>& pictures, std::uint64_t room, const o
     if (!last && estimatedBytes(pictures, format) > static_cast<double>(room)) continue;
     if (!encodeAll(pictures, format, room)) continue;
     const auto side = [&](const char* key) { return std::lround(format.scale * summary.at(key).get<double>()); };
-    return fmt::format("WebP of quality {:.0f} at {}x{} pixels; the pictures themselves lie as PNG in pictures/",
-                       format.quality, side("width"), side("height"));
+    return fmt::format("WebP, quality {:.0f}, {}x{} pixels; the folder pictures/ has them as PNG", format.quality,
+                       side("width"), side("height"));
   }
   for (const Kept& picture : pictures)
     *picture.target = nullptr;
-  return "The pictures are too many for one page; they lie as PNG in pictures/";
+  return "The pictures are too large for one page; the folder pictures/ has them as PNG";
 }
 
+/// The page's list of kept frames. @param pictures  receives their pictures, with targets in the result
 ordered_json keptJson(const Results& results, const std::vector<Configuration>& configurations,
                       const std::filesystem::path& folder, std::vector<Kept>& pictures) {
   std::vector<std::uint32_t> frames;
@@ -111,21 +114,23 @@ ordered_json keptJson(const Results& results, const std::vector<Configuration>& 
           {{"name", configuration.name}, {"image", nullptr}, {"error", nullptr}, {"lod", nullptr}});
     kept.push_back(std::move(entry));
   }
-  const std::filesystem::path source = folder / "pictures";
+  const auto add = [&](ordered_json& target, std::uint32_t frame, const std::string& name, Picture kind) {
+    pictures.push_back({&target, pictureFile(folder, pictureName(frame, name, kind))});
+  };
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    pictures.push_back({&kept[i]["reference"], source / pictureName(frames[i], kReferenceName, Picture::kImage)});
+    add(kept[i]["reference"], frames[i], kReferenceName, Picture::kImage);
     for (std::size_t c = 0; c < configurations.size(); ++c) {
       ordered_json& entry = kept[i]["pictures"][c];
       const std::string& name = configurations[c].name;
-      pictures.push_back({&entry["image"], source / pictureName(frames[i], name, Picture::kImage)});
-      pictures.push_back({&entry["error"], source / pictureName(frames[i], name, Picture::kError)});
-      pictures.push_back({&entry["lod"], source / pictureName(frames[i], name, Picture::kLod)});
+      add(entry["image"], frames[i], name, Picture::kImage);
+      add(entry["error"], frames[i], name, Picture::kError);
+      add(entry["lod"], frames[i], name, Picture::kLod);
     }
   }
   return kept;
 }
 
-/// JSON that may stand inside a script element.
+/// Escapes JSON so that it can stand inside a script element.
 std::string scriptSafe(const std::string& json) {
   std::string text;
   text.reserve(json.size());
@@ -138,6 +143,7 @@ std::string scriptSafe(const std::string& json) {
   return text;
 }
 
+/// Replaces a marker of the template. @pre the page has it (checked)
 void fill(std::string& page, std::string_view marker, std::string_view content) {
   const std::size_t at = page.find(marker);
   JAL_CHECK(at != std::string::npos);
@@ -160,7 +166,7 @@ std::string makePage(const ordered_json& summary, const Results& results,
   data["kept"] = std::move(kept);
 
   std::string page(pageHtml());
-  // From the end, so that no marker can be found in what was put in before it.
+  // From the end of the page to its start, so that no marker is looked for in inserted text.
   fill(page, "/*SCRIPT*/", pageScript());
   fill(page, "/*DATA*/", scriptSafe(data.dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
   fill(page, "/*CHARTS*/", chartsScript());

@@ -1,4 +1,4 @@
-// The report's page: index.html with figures, pictures, script and charts inside, so that it opens from disk anywhere.
+// The report's page: index.html, which holds all figures, pictures and scripts and opens from disk without a network.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,23 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/experiment.h"
+#include "compare/results.h"
 
 namespace jalousie::compare {
 
-/// Room for the pictures inside a page, before base64 adds a third: with 20 kept frames the page stays below 20 MB.
+struct Configuration;
+
+/// Most bytes of pictures inside a page. Base64 adds a third, so a page with pictures stays below 20 MB.
 inline constexpr std::uint64_t kPictureBytes = 14'000'000;
 
-/// @param summary  of summaryJson()   @param folder  of the report; kept pictures are read from its pictures/
-/// Pictures are encoded as WebP, at the best quality and size that fit into pictureBytes. Errors: as loadImage.
+/// The page as HTML. Kept pictures are encoded as WebP, at the best quality and size that fit into pictureBytes.
+/// @param summary  of summaryJson()   @param folder  of the report; the pictures are read from its pictures/
+/// Errors: as loadImage.
 std::string makePage(const nlohmann::ordered_json& summary, const Results& results,
                      const std::vector<Configuration>& configurations, const std::filesystem::path& folder,
                      std::uint64_t pictureBytes = kPictureBytes);
 
-// Texts that the build embeds. chartsScript() is empty where the charts library was not there.
+// Texts that the build embeds (cmake/EmbedPage.cmake). chartsScript() is empty if the build had no charts library.
 std::string_view pageHtml();
 std::string_view pageStyle();
 std::string_view pageScript();

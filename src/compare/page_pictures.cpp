@@ -1,4 +1,4 @@
-// WebP by libwebp, scaling by stb.
+// Encodes with libwebp, scales with stb_image_resize.
 #include "compare/page_pictures.h"
 
 #include <webp/encode.h>

@@ -1,4 +1,4 @@
-// Immutable-storage buffers.
+// Buffers with immutable storage.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@ namespace jalousie::gl {
 class Buffer {
  public:
   Buffer() = default;
-  /// glCreateBuffers, glNamedBufferStorage. sizeBytes 0 is raised to 16 so that every buffer can be bound.
-  /// @param flags  GL_DYNAMIC_STORAGE_BIT to allow write(), GL_MAP_READ_BIT for nothing here; 0 for GPU-only data
+  /// glCreateBuffers, glNamedBufferStorage. A size below 16 is raised to 16 so that every buffer can be bound.
+  /// @param flags  GL_DYNAMIC_STORAGE_BIT to allow write(); 0 for data that only the GPU writes
+  /// @param data   [sizeBytes] initial content; null: undefined
   Buffer(std::size_t sizeBytes, GLbitfield flags, const char* name, const void* data = nullptr);
 
   /// Static storage filled from an array of trivially copyable elements.
@@ -36,7 +37,7 @@ class Buffer {
     write(0, std::as_bytes(std::span(&value, 1)));
   }
 
-  /// glGetNamedBufferSubData: waits for the GPU. For tests and for statistics after a frame, never inside one.
+  /// glGetNamedBufferSubData: waits for the GPU, so never call it during a frame.
   template <class T>
   std::vector<T> read(std::size_t count, std::size_t offsetBytes = 0) const {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -1,4 +1,4 @@
-// Context facts through glGetString.
+// Reads the properties of a context through glGetString and the list of extensions.
 #include "gl/capabilities.h"
 
 #include <epoxy/gl.h>

@@ -1,4 +1,4 @@
-// Debug output arrives on the calling thread (synchronous), so the log needs no lock.
+// Receives debug output. It is synchronous and arrives on the calling thread, so the log needs no lock.
 #include "gl/debug_log.h"
 
 #include <fmt/format.h>

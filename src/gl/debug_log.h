@@ -8,8 +8,8 @@
 
 namespace jalousie::gl {
 
-/// Collects debug messages while it lives: glDebugMessageCallback, synchronous. Needs a debug context to say much.
-/// Not movable: the driver holds its address.
+/// Collects debug messages while it exists: glDebugMessageCallback, synchronous. Other contexts than debug contexts
+/// report little. A second log replaces the first. Not movable, because the driver holds its address.
 class DebugLog {
  public:
   DebugLog();
@@ -17,9 +17,8 @@ class DebugLog {
   DebugLog(const DebugLog&) = delete;
   DebugLog& operator=(const DebugLog&) = delete;
 
-  /// Messages of medium or high severity so far; any of them is a defect.
+  /// Messages of medium or high severity so far; each is a defect.
   const std::vector<std::string>& problems() const { return problems_; }
-  void clear() { problems_.clear(); }
 
  private:
   static void GLAPIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
@@ -27,7 +26,7 @@ class DebugLog {
   std::vector<std::string> problems_;
 };
 
-/// A named group in captures and debug messages: glPushDebugGroup while it lives.
+/// A named group in captures and debug messages, from construction to destruction: glPushDebugGroup, glPopDebugGroup.
 class DebugGroup {
  public:
   explicit DebugGroup(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }

@@ -1,4 +1,4 @@
-// Framebuffers over textures; there is no default framebuffer in a headless context.
+// Framebuffers that draw into textures. A headless context has no default framebuffer.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,10 @@ namespace jalousie::gl {
 class Framebuffer {
  public:
   Framebuffer() = default;
-  /// glCreateFramebuffers, glNamedFramebufferTexture (level 0). @param depth  may be null
-  /// Errors: kNoGpu if the driver calls the combination incomplete.
-  /// @param second  a second colour attachment, or null
+  /// glCreateFramebuffers, glNamedFramebufferTexture (level 0).
+  /// @param depth   depth attachment, or null
+  /// @param second  second colour attachment, or null
+  /// Errors: kNoGpu if the driver reports the combination as incomplete.
   Framebuffer(const Texture& color, const Texture* depth, const char* name, const Texture* second = nullptr);
 
   GLuint id() const { return handle_.id(); }
@@ -23,11 +24,11 @@ class Framebuffer {
   void bind(std::uint32_t width, std::uint32_t height) const;
   /// glReadPixels of the colour attachment: waits for the GPU. Row 0 of the result is the top one.
   ImageRgba8 readRgba8(std::uint32_t width, std::uint32_t height) const;
-  /// The same for a single-channel float attachment; row 0 is the bottom one, as in the texture.
+  /// Reads a single-channel float attachment: waits for the GPU. Row 0 of the result is the bottom one.
   std::vector<float> readRed(std::uint32_t width, std::uint32_t height) const;
-  /// The same for a single-channel unsigned integer attachment.
+  /// Reads a single-channel unsigned integer attachment, as readRed().
   std::vector<std::uint32_t> readRedInteger(std::uint32_t width, std::uint32_t height) const;
-  /// The same for the depth attachment.
+  /// Reads the depth attachment, as readRed().
   std::vector<float> readDepth(std::uint32_t width, std::uint32_t height) const;
 
  private:

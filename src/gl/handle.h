@@ -8,7 +8,7 @@
 namespace jalousie::gl {
 
 /// Owns a name and deletes it with Traits::destroy. Moved-from and default-constructed handles hold 0.
-/// A context must be current when a non-empty handle dies.
+/// A context must be current when a handle that holds a name is destroyed.
 template <class Traits>
 class Handle {
  public:
@@ -26,11 +26,10 @@ class Handle {
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
-  /// Lends the name.
+  /// The name; the handle keeps it.
   GLuint id() const { return id_; }
-  /// Gives the name away; the caller deletes it.
+  /// Returns the name and forgets it; the caller deletes it.
   GLuint release() { return std::exchange(id_, 0); }
-  explicit operator bool() const { return id_ != 0; }
 
  private:
   void reset() {

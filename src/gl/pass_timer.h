@@ -4,25 +4,13 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
+#include "core/timing.h"
 #include "gl/debug_log.h"
 #include "gl/handle.h"
 
 namespace jalousie::gl {
-
-struct PassTime {
-  std::string_view name;  ///< a string literal
-  double ms = 0.0;
-};
-
-/// How passes are timed.
-enum class Timing {
-  kOff,   ///< costs nothing but the debug groups
-  kWall,  ///< glFinish and wall time around each pass: the only timing that tells the truth on a software renderer
-  kGpu,   ///< timestamps on the GPU: passes overlap as they do without a timer
-};
 
 /// Opens a debug group per pass and times it. No allocation after the first timed frame.
 class PassTimer {
@@ -35,12 +23,13 @@ class PassTimer {
   ~PassTimer();
 
   void setTiming(Timing timing) { timing_ = timing; }
-  /// Forgets the last frame's passes.
+  /// Removes the passes of the last frame.
   void beginFrame() { passes_.clear(); }
-  /// The frame's passes in order; with kGpu it waits for their timestamps. Passes beyond kMaxPasses are not timed.
+  /// Passes of the frame in order of their start. With kGpu this call waits for the GPU. Passes beyond kMaxPasses are
+  /// not timed.
   const std::vector<PassTime>& passes();
 
-  /// One pass; ends when destroyed.
+  /// One pass, from construction to destruction.
   class Scope {
    public:
     Scope(PassTimer& timer, const char* name);
@@ -59,7 +48,7 @@ class PassTimer {
  private:
   Timing timing_ = Timing::kOff;
   std::vector<PassTime> passes_;
-  std::array<GLuint, 2 * kMaxPasses> queries_{};  ///< start and end of each pass; made when first needed
+  std::array<GLuint, 2 * kMaxPasses> queries_{};  ///< start and end of each pass; created by the first timed one
 };
 
 }  // namespace jalousie::gl

@@ -1,10 +1,9 @@
-// Compiles and links; a failure carries the driver's log with file names instead of numbers.
+// Compiles and links programs. An error carries the log of the driver and the file names that its numbers mean.
 #include "gl/program.h"
 
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "gl/shader_source.h"
 
 namespace jalousie::gl {
 namespace {
@@ -42,8 +41,9 @@ std::string fileLegend(const ExpandedShader& source) {
   return legend;
 }
 
-Handle<ShaderTraits> compile(std::string_view file, const std::vector<std::string_view>& defines) {
-  const ExpandedShader source = expandShader(file, defines);
+Handle<ShaderTraits> compile(std::string_view file, const std::vector<std::string_view>& defines,
+                             const ShaderLibrary& library) {
+  const ExpandedShader source = expandShader(file, defines, library);
   Handle<ShaderTraits> shader(glCreateShader(stageOf(file)));
   const char* text = source.text.c_str();
   glShaderSource(shader.id(), 1, &text, nullptr);
@@ -63,11 +63,11 @@ ProgramSource withDefine(ProgramSource source, std::string_view define) {
   return source;
 }
 
-Program::Program(const ProgramSource& source) : handle_(glCreateProgram()) {
+Program::Program(const ProgramSource& source, const ShaderLibrary& library) : handle_(glCreateProgram()) {
   label(GL_PROGRAM, id(), source.name);
   std::vector<Handle<ShaderTraits>> shaders;
   for (const std::string_view stage : source.stages) {
-    shaders.push_back(compile(stage, source.defines));
+    shaders.push_back(compile(stage, source.defines, library));
     glAttachShader(id(), shaders.back().id());
   }
   glLinkProgram(id());

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "gl/handle.h"
+#include "gl/shader_source.h"
 
 namespace jalousie::gl {
 
-/// What a program is made of: shader files (the extension names the stage) and preprocessor defines for all of them.
+/// Sources of a program: shader files, whose extensions name the stages, and preprocessor defines for all of them.
 struct ProgramSource {
   const char* name;
   std::vector<std::string_view> stages;
@@ -20,13 +21,13 @@ struct ProgramSource {
 /// The same program with one more define.
 ProgramSource withDefine(ProgramSource source, std::string_view define);
 
-/// A linked program. Has no uniforms to set: everything comes from buffers, textures and fixed bindings.
+/// A linked program. It has no uniforms to set: all input comes from buffers, textures and fixed bindings.
 class Program {
  public:
   Program() = default;
-  /// glCreateShader, glCompileShader, glLinkProgram. Errors: kShader with the driver's log and the file names it
-  /// counts.
-  explicit Program(const ProgramSource& source);
+  /// glCreateShader, glCompileShader, glLinkProgram. Errors: kShader with the driver's log and the file names that its
+  /// numbers mean; those of ShaderLibrary::text.
+  explicit Program(const ProgramSource& source, const ShaderLibrary& library = {});
 
   GLuint id() const { return handle_.id(); }
   /// glUseProgram.

@@ -11,23 +11,7 @@
 namespace jalousie::gl {
 namespace {
 
-std::filesystem::path& shaderFolder() {
-  static std::filesystem::path folder;
-  return folder;
-}
-
 constexpr std::uint64_t kMaxShaderBytes = 1U << 20U;
-
-std::string findShader(std::string_view name) {
-  std::error_code failed;
-  if (!shaderFolder().empty() && std::filesystem::exists(shaderFolder() / name, failed)) {
-    const std::vector<std::byte> bytes = readFile(shaderFolder() / name, kMaxShaderBytes);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
-  for (const EmbeddedShader& shader : embeddedShaders())
-    if (shader.name == name) return std::string(shader.text);
-  throw Error(ErrorCode::kShader, fmt::format("no shader named '{}'", name));
-}
 
 /// The name between quotes if the line is an #include, else empty.
 std::string_view includedName(std::string_view line) {
@@ -37,10 +21,11 @@ std::string_view includedName(std::string_view line) {
   return line.substr(0, line.find('"'));
 }
 
-void expand(std::string_view name, std::span<const std::string_view> defines, ExpandedShader& result) {
+void expand(std::string_view name, std::span<const std::string_view> defines, const ShaderLibrary& library,
+            ExpandedShader& result) {
   const std::size_t file = result.files.size();
   result.files.emplace_back(name);
-  const std::string whole = findShader(name);
+  const std::string whole = library.text(name);
   std::string_view text = whole;
   for (int line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1);
@@ -57,7 +42,7 @@ void expand(std::string_view name, std::span<const std::string_view> defines, Ex
         continue;
       }
       result.text += fmt::format("#line 1 {}\n", result.files.size());
-      expand(included, defines, result);
+      expand(included, defines, library, result);
       result.text += fmt::format("#line {} {}\n", line + 1, file);
     } else if (!result.text.empty()) {
       result.text += current;  // comments before #version are dropped: some compilers want it first
@@ -67,13 +52,21 @@ void expand(std::string_view name, std::span<const std::string_view> defines, Ex
 
 }  // namespace
 
-void setShaderFolder(const std::filesystem::path& folder) {
-  shaderFolder() = folder;
+std::string ShaderLibrary::text(std::string_view name) const {
+  std::error_code failed;
+  if (!folder_.empty() && std::filesystem::exists(folder_ / name, failed)) {
+    const std::vector<std::byte> bytes = readFile(folder_ / name, kMaxShaderBytes);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+  for (const EmbeddedShader& shader : embeddedShaders())
+    if (shader.name == name) return std::string(shader.text);
+  throw Error(ErrorCode::kShader, fmt::format("no shader named '{}'", name));
 }
 
-ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines) {
+ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines,
+                            const ShaderLibrary& library) {
   ExpandedShader result;
-  expand(name, defines, result);
+  expand(name, defines, library, result);
   if (!result.text.starts_with("#version"))
     throw Error(ErrorCode::kShader, fmt::format("shader '{}' has no #version line", name));
   return result;

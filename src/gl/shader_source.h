@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace jalousie::gl {
@@ -15,14 +16,27 @@ struct EmbeddedShader {
   std::string_view text;
 };
 
-/// From now on files of this folder stand in for the embedded ones of the same name, where they exist; empty: the
-/// embedded ones again. For development.
-void setShaderFolder(const std::filesystem::path& folder);
-
 /// All shader files, in the order of shaders/CMakeLists.txt.
 std::span<const EmbeddedShader> embeddedShaders();
 
-/// A text ready for the compiler, and the files its #line directives count.
+/// Where shader texts come from: a folder, for development, and the embedded files.
+class ShaderLibrary {
+ public:
+  /// The embedded files alone.
+  ShaderLibrary() = default;
+  /// Files below the folder replace the embedded files of the same name where they exist. Nothing is read yet.
+  /// @param folder  empty: the embedded files alone
+  explicit ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The file as it is now. Errors: kShader (no such file), those of readFile().
+  /// @param name  path below shaders/, e.g. "visibility/classify.comp"
+  std::string text(std::string_view name) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// A text ready for the compiler, and the files that its #line directives number.
 struct ExpandedShader {
   std::string text;
   std::vector<std::string> files;  ///< source string number -> name, for reading a compiler's log
@@ -30,6 +44,7 @@ struct ExpandedShader {
 
 /// Expands `#include "name"` once per file, keeps line numbers with #line, and puts `#define NAME 1` for every define
 /// behind #version. Errors: kShader (unknown file, no #version in the first file).
-ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines);
+ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines,
+                            const ShaderLibrary& library = {});
 
 }  // namespace jalousie::gl

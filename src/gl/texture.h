@@ -1,4 +1,4 @@
-// Immutable-storage textures.
+// Textures with immutable storage.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class Texture {
   GLuint id() const { return handle_.id(); }
   const TextureSize& size() const { return size_; }
 
-  /// glTextureSubImage3D of RGBA8 rows. @pre the texture is an array, rgba has the level's width * height * 4 bytes
-  /// (checked)
+  /// glTextureSubImage3D of RGBA8 rows.
+  /// @pre the texture is an array; rgba has width * height * 4 bytes of the level (checked)
   void uploadLayer(std::uint32_t layer, std::uint32_t level, std::span<const std::uint8_t> rgba);
   /// glTextureSubImage2D of one byte per texel, rows from the bottom. @pre bytes match the level (checked)
   void uploadBytes(std::uint32_t level, std::span<const std::uint8_t> bytes);

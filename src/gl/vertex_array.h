@@ -18,7 +18,7 @@ struct AttributeFormat {
   std::uint32_t offsetBytes;
 };
 
-/// Vertex input state: where attributes come from.
+/// Vertex input state: buffers and formats of the attributes.
 class VertexArray {
  public:
   VertexArray() = default;

@@ -1,4 +1,5 @@
-// EGL without a surface. libepoxy aborts on eglGetPlatformDisplay before a display exists, hence the EXT entry point.
+// Opens an EGL context without a surface. libepoxy aborts on eglGetPlatformDisplay before a display exists, so the EXT
+// entry point is called instead.
 #include "platform/headless_context.h"
 
 #include <epoxy/egl.h>
@@ -12,7 +13,7 @@
 
 namespace jalousie::platform {
 
-/// The display and context; either may be missing while the constructor is still trying.
+/// The display and context. The constructor tries several displays, so either may be absent.
 struct HeadlessContext::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
@@ -81,11 +82,11 @@ HeadlessContext::HeadlessContext(bool debug) : egl_(std::make_unique<Egl>()) {
           eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr), debug);
     }
   }
-  if (!reason.empty())
-    throw Error(ErrorCode::kNoGpu,
-                fmt::format("cannot open a headless OpenGL 4.5 context ({}); install a driver such as "
-                            "Debian's libegl-mesa0 and libgl1-mesa-dri",
-                            reason));
+  if (!reason.empty()) {
+    throw Error(ErrorCode::kNoGpu, fmt::format("cannot open a headless OpenGL 4.5 context ({}); "
+                                               "install a driver, on Debian libegl-mesa0 and libgl1-mesa-dri",
+                                               reason));
+  }
   capabilities_ = gl::queryCapabilities();
 }
 

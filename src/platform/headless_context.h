@@ -7,11 +7,11 @@
 
 namespace jalousie::platform {
 
-/// Makes a context current on construction and destroys it with the object. There is no default framebuffer.
+/// The constructor makes a context current, the destructor destroys it. The context has no default framebuffer.
 /// Tries Mesa's surfaceless platform first, then the first EGL device that works (NVIDIA).
 class HeadlessContext {
  public:
-  /// @param debug  asks for a debug context, whose messages gl::DebugLog collects
+  /// @param debug  make a debug context, whose messages gl::DebugLog collects
   /// Errors: kNoGpu with the reason.
   explicit HeadlessContext(bool debug);
   ~HeadlessContext();

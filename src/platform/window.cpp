@@ -26,10 +26,9 @@ Window::Window(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
-  // What desktops find the program's entry by.
+  // Desktops find the desktop entry of the program by this name.
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "jalousie");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "jalousie");
-  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   window_ = glfwCreateWindow(static_cast<int>(options.width), static_cast<int>(options.height), options.title.c_str(),
                              nullptr, nullptr);
   if (window_ == nullptr) fail("cannot open a window with OpenGL 4.5");
@@ -50,11 +49,6 @@ Window::~Window() {
 
 bool Window::shouldClose() const {
   return glfwWindowShouldClose(window_) == GLFW_TRUE;
-}
-
-void Window::present() {
-  glfwSwapBuffers(window_);
-  glfwPollEvents();
 }
 
 void Window::framebufferSize(std::uint32_t& width, std::uint32_t& height) const {

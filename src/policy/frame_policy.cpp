@@ -7,6 +7,11 @@ gpu::uint traitsOf(const FramePolicy& policy) {
   return traitsOf(policy.cullMode) | traitsOf(policy.lodRule) | traitsOf(policy.lvMeasure) | traitsOf(policy.detail);
 }
 
+LvMeasure defaultMeasure(const FramePolicy& policy) {
+  const LodRuleRow& rule = rowOf(policy.lodRule);
+  return !rule.followsLv && rowOf(policy.view).showsLv ? LvMeasure::kPixels : rule.measure;
+}
+
 bool wantsLv(const FramePolicy& policy) {
   return rowOf(policy.lodRule).followsLv || rowOf(policy.view).showsLv;
 }

@@ -21,6 +21,8 @@ struct FramePolicy {
 
 /// gpu::CullView::traits of a policy: kTrait... of shared/traits.h.
 gpu::uint traitsOf(const FramePolicy& policy);
+/// The measure of LV where none is chosen: the rule's, or counted pixels where only the view shows LV.
+LvMeasure defaultMeasure(const FramePolicy& policy);
 /// Whether LV is computed: the level rule uses it or the view shows it.
 bool wantsLv(const FramePolicy& policy);
 /// Whether visible pixels are counted for LV.

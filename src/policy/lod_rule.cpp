@@ -7,21 +7,29 @@ namespace jalousie {
 namespace {
 
 constexpr LodRuleRow kRules[] = {
-    {.name = "finest", .id = LodRule::kFinest, .followsError = false, .followsLv = false, .help = "always LOD 0"},
+    {.name = "finest",
+     .id = LodRule::kFinest,
+     .followsError = false,
+     .followsLv = false,
+     .measure = LvMeasure::kNone,
+     .help = "always LOD 0"},
     {.name = "linear",
      .id = LodRule::kLinear,
      .followsError = false,
      .followsLv = true,
+     .measure = LvMeasure::kThesis,
      .help = "LV mapped linearly onto the levels, as in the thesis"},
     {.name = "pixel-error",
      .id = LodRule::kPixelError,
      .followsError = true,
      .followsLv = false,
+     .measure = LvMeasure::kNone,
      .help = "coarsest level whose screen-space error is at most --tau"},
     {.name = "lv-error",
      .id = LodRule::kLvError,
      .followsError = true,
      .followsLv = true,
+     .measure = LvMeasure::kPixels,
      .help = "pixel-error with a larger --tau for partly occluded objects"},
 };
 static_assert(policy::isInOrder(kRules));

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "policy/lv_measure.h"
 #include "shared/traits.h"
 
 namespace jalousie {
@@ -21,6 +22,7 @@ struct LodRuleRow {
   LodRule id;
   bool followsError;  ///< uses tau; hysteresis and cross-fades apply
   bool followsLv;     ///< uses the level of visibility
+  LvMeasure measure;  ///< measure of LV where none is chosen
   const char* help;   ///< phrase for --help, panel and docs
 };
 

@@ -11,8 +11,8 @@ constexpr float kLineOffset = 1.0F;
 void drawEverything(DrawKind kind, const DrawnFrame& frame, const DrawPass& pass, SceneBuffers& buffers) {
   const visibility::ObjectBuffers decided = frame.visibility->decided();
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended}) {
-    if (frame.twoPhases) pass.draw(kind, part, frame.view.detail, buffers, *frame.early, decided);
-    pass.draw(kind, part, frame.view.detail, buffers, *frame.late, decided);
+    if (frame.twoPhases) pass.draw(kind, part, buffers, *frame.early, decided);
+    pass.draw(kind, part, buffers, *frame.late, decided);
   }
 }
 
@@ -67,14 +67,14 @@ void DebugViews::drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuff
 void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
                             visibility::DrawListPass& lists) {
   if (!ghosts_) ghosts_.emplace(scene_, markGhosts_);
-  ghosts_->build(lists, buffers.bindings(), *frame.visibility);
+  ghosts_->build(lists, buffers.bindings(), frame.visibility->decided());
   setPart(pass, frame, gpu::kViewGhost);
   frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  const visibility::ObjectBuffers decided = ghosts_->decided(*frame.visibility);
+  const visibility::ObjectBuffers decided = ghosts_->decided(frame.visibility->decided());
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
-    pass.draw(DrawKind::kShaded, part, frame.view.detail, buffers, ghosts_->list(), decided);
+    pass.draw(DrawKind::kShaded, part, buffers, ghosts_->list(), decided);
   glDisable(GL_BLEND);
 }
 

@@ -28,8 +28,8 @@ struct DrawnFrame {
 class DebugViews {
  public:
   /// Builds every program: a shader that does not build must not be found out in a frame. Errors: kShader.
-  explicit DebugViews(const scene::SceneData& scene)
-      : scene_(scene), markGhosts_(visibility::programSource(visibility::ProgramId::kMarkGhosts)) {}
+  explicit DebugViews(const scene::SceneData& scene, const gl::ShaderLibrary& shaders = {})
+      : scene_(scene), markGhosts_(visibility::programSource(visibility::ProgramId::kMarkGhosts), shaders) {}
 
   /// Draws over the frame what its view asks for; GL_FRAMEBUFFER_SRGB is on.
   void draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);

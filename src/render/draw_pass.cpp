@@ -6,35 +6,38 @@
 namespace jalousie::render {
 namespace {
 
-std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities) {
+std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities,
+                                        const gl::ShaderLibrary& shaders) {
   std::array<gl::Program, 4> programs;
   for (unsigned i = 0; i < programs.size(); ++i) {
     const gl::ProgramSource& source = programTable()[static_cast<unsigned>(first) + i];
-    programs[i] = gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source);
+    programs[i] =
+        gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source, shaders);
   }
   return programs;
 }
 
 }  // namespace
 
-DrawPass::DrawPass(const gl::Capabilities& capabilities)
+DrawPass::DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders)
     : indirectCount_(capabilities.indirectCount),
-      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities)),
-      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities)),
-      id_(makePrograms(ProgramId::kIdSolid, capabilities)),
-      mapView_(programSource(ProgramId::kMapView)),
-      depthView_(programSource(ProgramId::kDepthView)),
-      overdrawView_(programSource(ProgramId::kOverdrawView)),
-      boxes_(programSource(ProgramId::kBoxes)),
+      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities, shaders)),
+      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities, shaders)),
+      id_(makePrograms(ProgramId::kIdSolid, capabilities, shaders)),
+      mapView_(programSource(ProgramId::kMapView), shaders),
+      depthView_(programSource(ProgramId::kDepthView), shaders),
+      overdrawView_(programSource(ProgramId::kOverdrawView), shaders),
+      boxes_(programSource(ProgramId::kBoxes), shaders),
       noInput_("no vertex input"),
       view_(sizeof(gpu::DrawView), GL_DYNAMIC_STORAGE_BIT, "draw view") {}
 
 void DrawPass::setView(const gpu::DrawView& view) {
   view_.writeValue(view);
+  patches_ = view.patches != 0;
 }
 
-void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene,
-                    const visibility::DrawList& list, const visibility::ObjectBuffers& decided) const {
+void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
+                    const visibility::ObjectBuffers& decided) const {
   if (scene.objectCount() == 0) return;
   if (part == DrawPart::kBlended && !scene.usesBlending()) return;
   scene.bindForDrawing(list.instances());
@@ -45,7 +48,7 @@ void DrawPass::draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
   glPatchParameteri(GL_PATCH_VERTICES, 3);
   const Programs& programs = kind == DrawKind::kShaded ? shaded_ : kind == DrawKind::kOpacity ? opacity_ : id_;
-  const unsigned paths = detail == gpu::kDetailTessellation && list.options().patches ? 2 : 1;
+  const unsigned paths = patches_ && list.options().patches ? 2 : 1;
   for (unsigned path = 0; path < paths; ++path) {
     const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
     const unsigned firstList = gpu::kListsPerDetail * path;

@@ -10,7 +10,9 @@
 #include "render/scene_buffers.h"
 #include "shared/frame_structs.h"
 #include "shared/limits.h"
+#include "visibility/depth_pyramid_pass.h"
 #include "visibility/draw_list_pass.h"
+#include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::render {
 
@@ -24,12 +26,12 @@ enum class DrawPart { kOpaque, kBlended };
 class DrawPass {
  public:
   /// Draw parameters and count draws are used where the capabilities name them; results are the same without.
-  explicit DrawPass(const gl::Capabilities& capabilities);
+  explicit DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders = {});
 
-  /// Uploads the drawing camera for all programs.
+  /// Uploads the drawing camera for all programs, and takes the detail path of the draws that follow from it.
   void setView(const gpu::DrawView& view);
   /// Draws one part of a list's objects into the bound framebuffer.
-  void draw(DrawKind kind, DrawPart part, gpu::uint detail, SceneBuffers& scene, const visibility::DrawList& list,
+  void draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
             const visibility::ObjectBuffers& decided) const;
   /// Outlines the rectangle of every object. @param decided  of the frame
   void drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const;
@@ -54,6 +56,7 @@ class DrawPass {
   gl::Program boxes_;
   gl::VertexArray noInput_;
   gl::Buffer view_;
+  bool patches_ = false;  ///< gpu::DrawView::patches of the last setView()
 };
 
 }  // namespace jalousie::render

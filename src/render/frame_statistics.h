@@ -1,25 +1,22 @@
-// What one frame did, from the figures the GPU counted.
+// What one frame did: plain values.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "scene/scene_data.h"
-#include "shared/frame_structs.h"
-#include "visibility/frame_counters.h"
-
 namespace jalousie::render {
 
+/// Figures of one frame, counted on the GPU.
 struct FrameStatistics {
   std::uint64_t frame = 0;  ///< which frame of its renderer, counted from 1
   std::uint64_t objects = 0;
   std::uint64_t culledFrustum = 0;
-  std::uint64_t culledOcclusion = 0;  ///< hidden and not drawn
+  std::uint64_t culledOcclusion = 0;  ///< occluded and not drawn
   std::uint64_t culledSmall = 0;      ///< below the contribution threshold
   std::uint64_t occluders = 0;
   std::uint64_t drawn = 0;
   std::uint64_t drawnEarly = 0;     ///< of drawn: in the first of two phases
-  std::uint64_t drawnStale = 0;     ///< of drawnEarly: hidden by now
+  std::uint64_t drawnStale = 0;     ///< of drawnEarly: occluded in this frame
   std::uint64_t switches = 0;       ///< of drawn: at another level than in the last frame
   std::uint64_t fading = 0;         ///< of drawn: at two levels, cross-faded
   std::uint64_t dropped = 0;        ///< instances that a draw list had no room for
@@ -29,17 +26,5 @@ struct FrameStatistics {
   /// Drawn objects per level: LOD 0, 1, ... of the discrete chains, or tessellation level 1, 2, ... of the patch path.
   std::vector<std::uint64_t> lodHistogram;
 };
-
-/// Triangles of all objects at their finest, on both detail paths. Counted once per scene.
-struct FullTriangles {
-  std::uint64_t discrete = 0;
-  std::uint64_t patchBase = 0;  ///< before tessellation
-  std::uint32_t maxLods = 0;    ///< longest chain
-};
-FullTriangles countFullTriangles(const scene::SceneData& scene);
-
-/// Figures by name. @param dropped  instances that the frame's lists had no room for
-FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
-                               const FullTriangles& full, std::uint64_t dropped);
 
 }  // namespace jalousie::render

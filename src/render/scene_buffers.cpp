@@ -40,6 +40,7 @@ constexpr GLuint kPerInstance = 1;
 
 SceneBuffers::SceneBuffers(const scene::SceneData& scene)
     : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
+      transformCount_(static_cast<std::uint32_t>(scene.transforms.size())),
       usesBlending_(scene.usesBlending),
       vertices_(upload(scene.vertices, "vertices")),
       indices_(upload(scene.indices, "indices")),

@@ -17,15 +17,17 @@ class SceneBuffers {
   explicit SceneBuffers(const scene::SceneData& scene);
 
   std::uint32_t objectCount() const { return objectCount_; }
+  std::uint32_t transformCount() const { return transformCount_; }
   bool usesBlending() const { return usesBlending_; }
   visibility::SceneBindings bindings() const { return {&transforms_, &objects_, &chains_, &lods_}; }
-  /// gpu::Transform [objectCount]: the application may write it, from the CPU or from a shader, between frames.
+  /// gpu::Transform [transformCount]: the application may write it, from the CPU or from a shader, between frames.
   gl::Buffer& transforms() { return transforms_; }
   /// Binds vertex input, scene storage and textures for drawing the objects of an instance list.
   void bindForDrawing(const gl::Buffer& instances);
 
  private:
   std::uint32_t objectCount_;
+  std::uint32_t transformCount_;
   bool usesBlending_;
   gl::Buffer vertices_;
   gl::Buffer indices_;

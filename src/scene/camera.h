@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "asset/scene_file.h"
+#include "asset/scene_types.h"
 #include "core/aabb.h"
 
 namespace jalousie::scene {

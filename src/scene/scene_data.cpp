@@ -180,8 +180,9 @@ class Builder {
       const gpu::Chain& chain = scene_.chains[instance.chain];
       scene_.boundsWorld.add(transformed(instance.worldFromObject,
                                          Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
+      const auto transform = static_cast<gpu::uint>(scene_.transforms.size());
       scene_.transforms.push_back(makeTransform(instance.worldFromObject));
-      scene_.objects.push_back({instance.chain, i});
+      scene_.objects.push_back({instance.chain, transform, i, 0});
     }
   }
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "asset/scene_file.h"
+#include "asset/scene_types.h"
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
 #include "scene/texture_layers.h"
@@ -28,8 +28,8 @@ static_assert(sizeof(Vertex) == 32);
 struct SceneData {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<gpu::Transform> transforms;  ///< [objects.size()]
-  std::vector<gpu::Object> objects;        ///< sorted by chain, within a chain in the file's order
+  std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
+  std::vector<gpu::Object> objects;        ///< sorted by chain; within a chain in the file's order
   std::vector<gpu::Chain> chains;
   std::vector<gpu::Lod> lods;
   std::vector<gpu::Material> materials;

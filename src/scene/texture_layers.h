@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "asset/scene_file.h"
 #include "core/image.h"
 
 namespace jalousie::scene {

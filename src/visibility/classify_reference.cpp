@@ -195,8 +195,9 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits) {
 
 ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView& view, gpu::uint objectIndex,
                               const LastFrame& last, const ImportanceMask* importance) {
-  const gpu::Transform& transform = scene.transforms[objectIndex];
-  const gpu::Chain& chain = scene.chains[scene.objects[objectIndex].chain];
+  const gpu::Object& object = scene.objects[objectIndex];
+  const gpu::Transform& transform = scene.transforms[object.transform];
+  const gpu::Chain& chain = scene.chains[object.chain];
   const glm::vec2 viewport(view.viewportWidth, view.viewportHeight);
   const BoxOnScreen box = boxOnScreen(transform, boundsOf(chain), view.clipFromWorld, viewport);
   const bool hasRect = !box.outside && !box.crossesNear;

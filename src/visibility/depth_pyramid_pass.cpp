@@ -35,14 +35,15 @@ gl::Handle<gl::SamplerTraits> makeSampler(GLint minFilter, GLint magFilter) {
 
 }  // namespace
 
-DepthPyramidPass::DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities)
+DepthPyramidPass::DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities,
+                                   const gl::ShaderLibrary& shaders)
     : layout_(layout),
       minMaxFilter_(capabilities.minMaxFilter),
       texture_(makeTexture(layout)),
       edgeSampler_(makeSampler(GL_NEAREST, GL_NEAREST)),
-      firstProgram_(programSource(ProgramId::kReduceDepthFirst)),
-      firstCoveredProgram_(programSource(ProgramId::kReduceDepthFirstCovered)),
-      reduceProgram_(programSource(minMaxFilter_ ? ProgramId::kReduceDepthMinMax : ProgramId::kReduceDepth)),
+      firstProgram_(programSource(ProgramId::kReduceDepthFirst), shaders),
+      firstCoveredProgram_(programSource(ProgramId::kReduceDepthFirstCovered), shaders),
+      reduceProgram_(programSource(minMaxFilter_ ? ProgramId::kReduceDepthMinMax : ProgramId::kReduceDepth), shaders),
       views_(makeViews(layout)) {
   if (!minMaxFilter_) return;
   minSampler_ = makeSampler(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);

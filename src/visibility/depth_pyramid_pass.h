@@ -20,7 +20,8 @@ enum class DepthSource {
 /// One pyramid for one screen size. CPU twin: DepthPyramidReference.
 class DepthPyramidPass {
  public:
-  DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities);
+  DepthPyramidPass(const MapLayout& layout, const gl::Capabilities& capabilities,
+                   const gl::ShaderLibrary& shaders = {});
   /// Another size; keeps the programs.
   void resize(const MapLayout& layout);
 

@@ -55,16 +55,16 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
       commands_(makeStorage(commandBytes(view_), "draw commands")),
       drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, "draw counts")) {}
 
-DrawListPass::DrawListPass(const scene::SceneData& scene)
+DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
     : tileCount_(static_cast<std::uint32_t>(scene.binLayout.tiles.size())),
       blockCount_((scene.binLayout.entryCount + gpu::kScanBlock - 1) / gpu::kScanBlock),
-      binProgram_(programSource(ProgramId::kBinObjects)),
-      scanEntriesProgram_(programSource(ProgramId::kScanEntries)),
-      scanSumsProgram_(programSource(ProgramId::kScanSums)),
-      scatterProgram_(programSource(ProgramId::kScatter)),
-      scatterPerObjectProgram_(programSource(ProgramId::kScatterPerObject)),
-      writeCommandsProgram_(programSource(ProgramId::kWriteCommands)),
-      writeCountsProgram_(programSource(ProgramId::kWriteCounts)),
+      binProgram_(programSource(ProgramId::kBinObjects), shaders),
+      scanEntriesProgram_(programSource(ProgramId::kScanEntries), shaders),
+      scanSumsProgram_(programSource(ProgramId::kScanSums), shaders),
+      scatterProgram_(programSource(ProgramId::kScatter), shaders),
+      scatterPerObjectProgram_(programSource(ProgramId::kScatterPerObject), shaders),
+      writeCommandsProgram_(programSource(ProgramId::kWriteCommands), shaders),
+      writeCountsProgram_(programSource(ProgramId::kWriteCounts), shaders),
       tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
       bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
       slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), "slots")),

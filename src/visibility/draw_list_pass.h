@@ -43,7 +43,7 @@ class DrawList {
 /// The kernels that fill lists, and their scratch memory. CPU twin: buildDrawLists.
 class DrawListPass {
  public:
-  explicit DrawListPass(const scene::SceneData& scene);
+  explicit DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders = {});
 
   /// Leaves COMMAND, VERTEX_ATTRIB_ARRAY, STORAGE and BUFFER_UPDATE barriers.
   void build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided);

@@ -10,18 +10,13 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "visibility/object_decision.h"
+#include "visibility/submission.h"
 
 namespace jalousie::scene {
 struct SceneData;
 }
 
 namespace jalousie::visibility {
-
-/// How a list is drawn. Both draw the same instances in the same order, so their images are identical.
-enum class Submission : std::uint32_t {
-  kInstanced = 0,  ///< one command per (chain, level) with all its instances
-  kPerObject = 1,  ///< one command per instance: the reference
-};
 
 /// What a list may hold and how it is drawn.
 struct DrawListOptions {

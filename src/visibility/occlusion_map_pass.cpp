@@ -10,8 +10,8 @@
 
 namespace jalousie::visibility {
 
-OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth)
-    : OcclusionMapPass(layout, depth, gl::Program(programSource(ProgramId::kReduceMap))) {}
+OcclusionMapPass::OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth, const gl::ShaderLibrary& shaders)
+    : OcclusionMapPass(layout, depth, gl::Program(programSource(ProgramId::kReduceMap), shaders)) {}
 
 void OcclusionMapPass::resize(const MapLayout& layout, const gl::Texture* depth) {
   *this = OcclusionMapPass(layout, depth, std::move(reduceProgram_));

@@ -14,7 +14,7 @@ namespace jalousie::visibility {
 class OcclusionMapPass {
  public:
   /// @param depth  GL_DEPTH_COMPONENT32F of the screen's size, for occluders drawn with a depth test; may be null
-  OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth);
+  OcclusionMapPass(const MapLayout& layout, const gl::Texture* depth, const gl::ShaderLibrary& shaders = {});
   /// Another size; keeps the program.
   void resize(const MapLayout& layout, const gl::Texture* depth);
 

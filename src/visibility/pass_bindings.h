@@ -10,7 +10,7 @@ namespace jalousie::visibility {
 
 /// The scene's buffers. The caller owns them and keeps them while a pass uses them.
 struct SceneBindings {
-  const gl::Buffer* transforms = nullptr;  ///< gpu::Transform [objectCount]
+  const gl::Buffer* transforms = nullptr;  ///< gpu::Transform, by Object::transform
   const gl::Buffer* objects = nullptr;     ///< gpu::Object [objectCount]
   const gl::Buffer* chains = nullptr;      ///< gpu::Chain
   const gl::Buffer* lods = nullptr;        ///< gpu::Lod

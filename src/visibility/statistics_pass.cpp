@@ -19,8 +19,8 @@ constexpr GLbitfield kMapFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
 
 }  // namespace
 
-StatisticsPass::StatisticsPass()
-    : countProgram_(programSource(ProgramId::kCountStates)),
+StatisticsPass::StatisticsPass(const gl::ShaderLibrary& shaders)
+    : countProgram_(programSource(ProgramId::kCountStates), shaders),
       counters_(sizeof(FrameCounters), 0, "frame counters"),
       mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
       memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}

@@ -26,7 +26,7 @@ struct FrameRecord {
 /// whose slot is still in flight is not counted. CPU twin of the counting: countStates.
 class StatisticsPass {
  public:
-  StatisticsPass();
+  explicit StatisticsPass(const gl::ShaderLibrary& shaders = {});
   ~StatisticsPass();
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;

@@ -25,13 +25,13 @@ gl::Texture makeImportance(const ImportanceMask& mask) {
 
 }  // namespace
 
-VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* importance)
+VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* importance, const gl::ShaderLibrary& shaders)
     : objects_(objects),
-      classifyProgram_(programSource(ProgramId::kClassify)),
-      analyseMapProgram_(programSource(ProgramId::kAnalyseMap)),
-      analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth)),
-      analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth)),
-      countPixelsProgram_(programSource(ProgramId::kCountPixels)),
+      classifyProgram_(programSource(ProgramId::kClassify), shaders),
+      analyseMapProgram_(programSource(ProgramId::kAnalyseMap), shaders),
+      analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth), shaders),
+      analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth), shaders),
+      countPixelsProgram_(programSource(ProgramId::kCountPixels), shaders),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
       cosines_(makeCosines()) {
   if (importance == nullptr) return;

@@ -19,7 +19,8 @@ namespace jalousie::visibility {
 class VisibilityPass {
  public:
   /// Keeps a reference to objects, which must outlive the pass. Nothing is allocated later.
-  explicit VisibilityPass(ObjectStore& objects, const ImportanceMask* importance = nullptr);
+  explicit VisibilityPass(ObjectStore& objects, const ImportanceMask* importance = nullptr,
+                          const gl::ShaderLibrary& shaders = {});
 
   /// Uploads camera and policy for the kernels; fills in the importance mask's size.
   /// @pre view.objectCount equals the store's (checked)

@@ -1,4 +1,4 @@
-// compare, diff and record as their users run them: a baked sphere, scattered, measured along a path.
+// `jalousie compare`, `diff` and `record` as programs: a baked sphere is scattered and measured along a path.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -86,11 +86,52 @@ class CompareCommand : public test::GlTest {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  /// The experiment that several tests look at: two passes over kept frames, a sweep, five frames on end.
+  /// The experiment whose report several tests read: five consecutive frames, two kept frames and a sweep.
   static std::vector<std::string> planned() {
     return {"compare",  file("scene.glb"), "--configs", "standard,calm", "--config", "coarse=--tau 6 --mode frustum",
             "--frames", "1100:1104",       "--size",    "160x90",        "--keep",   "2",
             "--sweep",  "tau=1:4"};
+  }
+
+  /// A command line that must be refused.
+  struct Mistake {
+    std::vector<std::string> words;
+    int exitCode;
+  };
+  static std::vector<Mistake> mistakes() {
+    const std::string scene = file("scene.glb");
+    return {{{"compare", scene}, 2},
+            {{"compare", scene, "-o", file("mine")}, 2},
+            {{"compare", file("none.glb"), "-o", file("x")}, 3},
+            {{"compare", file("sphere.glb"), "-o", file("x")}, 2},
+            {{"compare", scene, "-o", file("x"), "--configs", "hiz,fastest"}, 2},
+            {{"compare", scene, "-o", file("x"), "--config", "a=--mode no"}, 2},
+            {{"compare", scene, "-o", file("x"), "--config", "a=--frame 3"}, 2},
+            {{"compare", scene, "-o", file("x"), "--config", "hiz="}, 2},
+            {{"compare", scene, "-o", file("x"), "--config", "reference="}, 2},
+            {{"compare", scene, "-o", file("x"), "--config", "a b=", "--config", "a_b="}, 2},
+            {{"compare", scene, "-o", file("x"), "--configs", file("broken.json")}, 5},
+            {{"compare", scene, "-o", file("x"), "--configs", file("no.json")}, 3},
+            {{"compare", scene, "-o", file("x"), "--baseline", "hom"}, 2},
+            {{"compare", scene, "-o", file("x"), "--frames", "5:1"}, 2},
+            {{"compare", scene, "-o", file("x"), "--frames", "0:1800"}, 2},
+            {{"compare", scene, "-o", file("x"), "--sweep", "tau=0:1"}, 2},
+            {{"compare", scene, "-o", file("x"), "--sweep", "relax=1:2"}, 2},
+            {{"compare", scene, "-o", file("x"), "--sweep", "tau=1,nan,2"}, 2},
+            {{"compare", scene, "-o", file("x"), "--ppd", "nan"}, 2},
+            {{"render", scene, "--tau", "nan", "--stats-only"}, 2},
+            {{"diff", scene, scene, "--ppd", "nan"}, 2},
+            {{"record", scene, "-o", file("p.glb"), "--fov", "nan"}, 2},
+            {{"compare", scene, "-o", file("mine2")}, 2},
+            {{"compare", scene, "-o", file("x"), "--sweep", "tau=1", "--reference", "none"}, 2},
+            {{"compare", scene, "-o", file("x"), "--camera", "7"}, 2},
+            {{"compare", scene, "-o", file("x"), "--size", "4x4"}, 2},
+            {{"diff", file("none.png"), file("none.png")}, 3},
+            {{"diff", scene, scene}, 6},
+            {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2:3,4,5"}, 2},
+            {{"record", scene, "-o", file("p.glb"), "--key", "5:1,2,3:4,5,6", "--key", "5:0,0,0:1,1,1"}, 2},
+            {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2,3:1,2,3"}, 2},
+            {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2,3:4,5,6", "--orbit", "90"}, 2}};
   }
 
   static std::unique_ptr<test::TemporaryFolder> folder_;
@@ -103,7 +144,7 @@ bool CompareCommand::ready_ = false;
 std::string CompareCommand::why_;
 ProgramResult CompareCommand::report_;
 
-/// What a run says that does not depend on the clock.
+/// A summary without its times, which differ from run to run.
 json withoutTimes(json value) {
   if (value.is_object()) {
     for (const char* key : {"frame_ms", "frame_ratio", "passes_ms", "command"})
@@ -256,49 +297,12 @@ TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
   std::ofstream(file("mine2/run.jsonl")) << "{\"loss\": 0.5}\n";
   std::filesystem::create_directory(file("mine2/pictures"));
   std::ofstream(file("broken.json")) << "{\"configurations\": [{\"options\": \"\"}]}";
-  struct Case {
-    std::vector<std::string> words;
-    int exitCode;
-  };
-  const std::string scene = file("scene.glb");
-  for (const Case& c : std::vector<Case>{
-           {{"compare", scene}, 2},
-           {{"compare", scene, "-o", file("mine")}, 2},
-           {{"compare", file("none.glb"), "-o", file("x")}, 3},
-           {{"compare", file("sphere.glb"), "-o", file("x")}, 2},
-           {{"compare", scene, "-o", file("x"), "--configs", "hiz,fastest"}, 2},
-           {{"compare", scene, "-o", file("x"), "--config", "a=--mode no"}, 2},
-           {{"compare", scene, "-o", file("x"), "--config", "a=--frame 3"}, 2},
-           {{"compare", scene, "-o", file("x"), "--config", "hiz="}, 2},
-           {{"compare", scene, "-o", file("x"), "--config", "reference="}, 2},
-           {{"compare", scene, "-o", file("x"), "--config", "a b=", "--config", "a_b="}, 2},
-           {{"compare", scene, "-o", file("x"), "--configs", file("broken.json")}, 5},
-           {{"compare", scene, "-o", file("x"), "--configs", file("no.json")}, 3},
-           {{"compare", scene, "-o", file("x"), "--baseline", "hom"}, 2},
-           {{"compare", scene, "-o", file("x"), "--frames", "5:1"}, 2},
-           {{"compare", scene, "-o", file("x"), "--frames", "0:1800"}, 2},
-           {{"compare", scene, "-o", file("x"), "--sweep", "tau=0:1"}, 2},
-           {{"compare", scene, "-o", file("x"), "--sweep", "relax=1:2"}, 2},
-           {{"compare", scene, "-o", file("x"), "--sweep", "tau=1,nan,2"}, 2},
-           {{"compare", scene, "-o", file("x"), "--ppd", "nan"}, 2},
-           {{"render", scene, "--tau", "nan", "--stats-only"}, 2},
-           {{"diff", scene, scene, "--ppd", "nan"}, 2},
-           {{"record", scene, "-o", file("p.glb"), "--fov", "nan"}, 2},
-           {{"compare", scene, "-o", file("mine2")}, 2},
-           {{"compare", scene, "-o", file("x"), "--sweep", "tau=1", "--reference", "none"}, 2},
-           {{"compare", scene, "-o", file("x"), "--camera", "7"}, 2},
-           {{"compare", scene, "-o", file("x"), "--size", "4x4"}, 2},
-           {{"diff", file("none.png"), file("none.png")}, 3},
-           {{"diff", scene, scene}, 6},
-           {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2:3,4,5"}, 2},
-           {{"record", scene, "-o", file("p.glb"), "--key", "5:1,2,3:4,5,6", "--key", "5:0,0,0:1,1,1"}, 2},
-           {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2,3:1,2,3"}, 2},
-           {{"record", scene, "-o", file("p.glb"), "--key", "0:1,2,3:4,5,6", "--orbit", "90"}, 2}}) {
-    const ProgramResult result = jalousie(c.words);
+  for (const Mistake& mistake : mistakes()) {
+    const ProgramResult result = jalousie(mistake.words);
     std::string line;
-    for (const std::string& word : c.words)
+    for (const std::string& word : mistake.words)
       line += word + " ";
-    EXPECT_EQ(result.exitCode, c.exitCode) << line << result.standardError;
+    EXPECT_EQ(result.exitCode, mistake.exitCode) << line << result.standardError;
     EXPECT_EQ(std::count(result.standardError.begin(), result.standardError.end(), '\n'), 1)
         << line << result.standardError;
     EXPECT_TRUE(result.standardError.starts_with("jalousie: ")) << result.standardError;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gl_debug.h"
 #include "asset/accessor.h"
 #include "asset/gltf_file.h"
 #include "asset/image_io.h"
@@ -70,6 +71,33 @@ TEST_F(RenderCommand, HelpShowsExamplesAndSucceeds) {
        {"--frame", "--eye", "--size", "--mode", "--lod", "--lv", "--detail", "--view", "--json", "--freeze-eye"})
     EXPECT_NE(help.standardOutput.find(option), std::string::npos) << option;
   EXPECT_EQ(jalousie({"--version"}).exitCode, 0);
+}
+
+TEST_F(RenderCommand, ProgramsOfTestsRunWithOpenGlDebugOutput) {
+  const ProgramResult environment = test::runProgram("/usr/bin/env", {});
+  EXPECT_NE(("\n" + environment.standardOutput).find("\nJALOUSIE_GL_DEBUG=1\n"), std::string::npos);
+  // The program reads the variable: a value that is no truth value is an error of the command line.
+  for (const char* command : {"render", "compare", "view"}) {
+    const ProgramResult refused = test::runProgram(JALOUSIE_PROGRAM, {command, scene(), "-o", file("x")},
+                                                   {.environment = {"JALOUSIE_GL_DEBUG=perhaps"}});
+    EXPECT_EQ(refused.exitCode, static_cast<int>(ErrorCode::kUsage)) << command;
+    EXPECT_NE(refused.standardError.find("--debug"), std::string::npos) << refused.standardError;
+  }
+}
+
+TEST_F(RenderCommand, DebugMessagesBecomeExitCode70) {
+  const app::GlDebug debug(true);
+  EXPECT_NO_THROW(debug.check());
+  glBindFramebuffer(GL_FRAMEBUFFER, 12345);  // no such name
+  try {
+    debug.check();
+    FAIL() << "a mistake went unreported";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exitCode(), 70);
+  }
+  const app::GlDebug off(false);
+  glBindFramebuffer(GL_FRAMEBUFFER, 12345);
+  EXPECT_NO_THROW(off.check());
 }
 
 TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {

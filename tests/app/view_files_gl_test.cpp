@@ -2,6 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "asset/gltf_file.h"
 #include "view_fixture.h"
 
 namespace jalousie {
@@ -124,7 +125,7 @@ TEST_F(ViewFiles, ABrokenShaderAtTheStartIsMendedLater) {
   if (!open(options)) GTEST_SKIP() << "no display";
   EXPECT_NE(viewer_->document(0).error().find("shading.glsl"), std::string::npos) << viewer_->document(0).error();
   EXPECT_EQ(viewer_->document(0).side(0), nullptr);
-  log_->clear();  // the compiler's own complaint
+  log_.emplace();  // the compiler's own complaint
   replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - nonsense(", "return vec3(1.0) - exp(");
   EXPECT_TRUE(waitFor([&] { return viewer_->document(0).side(0) != nullptr; }));
   EXPECT_EQ(viewer_->document(0).error(), "");
@@ -143,7 +144,7 @@ TEST_F(ViewFiles, AGhostShaderThatBreaksIsAMessageToo) {
   EXPECT_TRUE(waitFor([&] { return !state().shaderError.empty(); }));
   EXPECT_NE(state().shaderError.find("mark_ghosts"), std::string::npos) << state().shaderError;
   drag(1, 300, 200, 330, 210);
-  log_->clear();  // the compiler's own complaint
+  log_.emplace();  // the compiler's own complaint
 }
 
 TEST_F(ViewFiles, ALayoutThatIsNoLayoutIsNotBelieved) {
@@ -275,7 +276,7 @@ TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
   EXPECT_NE(state().shaderError.find("shading.glsl"), std::string::npos) << state().shaderError;
   EXPECT_EQ(viewer_->capture().pixels, before) << "the last good program goes on";
   settle();
-  log_->clear();  // the compiler's own complaint about the shader that this test broke
+  log_.emplace();  // the compiler's own complaint about the shader that this test broke
   replaceText(shaders / "visibility/reduce_depth.comp", "void main() {", "void main() { nonsense;");
   replaceText(shaders / "visibility/reduce_map.comp", "void main() {", "void main() { nonsense;");
   glfwSetWindowSize(window_->handle(), 500, 300);
@@ -287,7 +288,7 @@ TEST_F(ViewFiles, ShadersAreBuiltAgainAndErrorsLeaveTheLastGoodOnes) {
     viewer_->step();
   EXPECT_EQ(viewer_->capture().pixels, before);
   settle();
-  log_->clear();
+  log_.emplace();
   replaceText(shaders / "visibility/reduce_depth.comp", "void main() { nonsense;", "void main() {");
   replaceText(shaders / "visibility/reduce_map.comp", "void main() { nonsense;", "void main() {");
   replaceText(shaders / "lib/shading.glsl", "return vec3(1.0) - nonsense(", "return vec3(0.5) - 0.5 * exp(");

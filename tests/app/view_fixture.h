@@ -105,7 +105,8 @@ class ViewTest : public testing::Test {
     options.render.height = kHeight;
     options.finish();
     try {
-      window_.emplace(platform::WindowOptions{kWidth, kHeight, "jalousie test", true, true});
+      window_.emplace(
+          platform::WindowOptions{.width = kWidth, .height = kHeight, .title = "jalousie test", .debug = true});
     } catch (const Error& error) {
       EXPECT_EQ(std::getenv("DISPLAY"), nullptr) << "there is a display: " << error.what();
       return false;

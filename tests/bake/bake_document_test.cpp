@@ -1,5 +1,5 @@
 // Chains inside documents: what is added, what must survive, what is passed through.
-#include "bake/bake_document.h"
+#include "bake/io/bake_document.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "asset/lod_chain.h"
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
-#include "bake/report.h"
+#include "bake/report/report.h"
 #include "support/run_program.h"
 
 namespace jalousie::bake {

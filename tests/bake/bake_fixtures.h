@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bake/combined_mesh.h"
-#include "bake/mesh_edges.h"
-#include "bake/wedge_mesh.h"
+#include "bake/mesh/combined_mesh.h"
+#include "bake/mesh/mesh_edges.h"
+#include "bake/mesh/wedges.h"
 #include "core/error.h"
 #include "support/error_code.h"
 #include "support/scenes.h"

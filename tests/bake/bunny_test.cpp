@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "bake/bake_fixtures.h"
-#include "bake/chain.h"
-#include "bake/import.h"
+#include "bake/io/gltf_mesh.h"
+#include "bake/io/import.h"
+#include "bake/simplify/chain.h"
 #include "core/aabb.h"
 
 namespace jalousie::bake {

@@ -1,5 +1,5 @@
 // Laws of a chain over classes of meshes.
-#include "bake/chain.h"
+#include "bake/simplify/chain.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "bake/bake_fixtures.h"
-#include "bake/clean.h"
-#include "bake/subdivide.h"
-#include "bake/triangle_mesh.h"
+#include "bake/mesh/clean.h"
+#include "bake/mesh/normals.h"
+#include "bake/mesh/subdivide.h"
 
 namespace jalousie::bake {
 namespace {

@@ -1,5 +1,5 @@
 // What must survive a collapse: borders, seams, materials, mirrored texture, hard edges, the largest part.
-#include "bake/collapse.h"
+#include "bake/simplify/collapse.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,11 @@
 #include <set>
 
 #include "bake/bake_fixtures.h"
-#include "bake/chain.h"
-#include "bake/hard_edges.h"
-#include "bake/loose_parts.h"
-#include "bake/refit.h"
+#include "bake/mesh/hard_edges.h"
+#include "bake/mesh/loose_parts.h"
+#include "bake/simplify/chain.h"
+#include "bake/simplify/measure.h"
+#include "bake/simplify/refit.h"
 #include "core/random.h"
 
 namespace jalousie::bake {

@@ -1,11 +1,12 @@
 // Folders, patterns and lists of inputs; where results go; depfiles.
-#include "bake/inputs.h"
+#include "bake/io/inputs.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "bake/depfile.h"
+#include "bake/pipeline/depfile.h"
+#include "bake/pipeline/job_list.h"
 #include "support/error_code.h"
 #include "support/run_program.h"
 

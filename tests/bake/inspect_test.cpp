@@ -1,15 +1,15 @@
 // Chains read back from documents, ours and foreign ones.
-#include "bake/inspect.h"
+#include "bake/report/inspect.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "asset/accessor.h"
-#include "bake/bake_document.h"
 #include "bake/bake_fixtures.h"
-#include "bake/sheet.h"
-#include "bake/software_raster.h"
+#include "bake/io/bake_document.h"
+#include "bake/report/sheet.h"
+#include "bake/report/software_raster.h"
 
 namespace jalousie::bake {
 namespace {

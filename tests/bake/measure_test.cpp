@@ -1,12 +1,12 @@
 // Measured distances against brute force and against spheres of known size.
-#include "bake/measure.h"
+#include "bake/simplify/measure.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "bake/bake_fixtures.h"
-#include "bake/chain.h"
+#include "bake/simplify/chain.h"
 #include "core/random.h"
 
 namespace jalousie::bake {

@@ -1,5 +1,5 @@
 // The OBJ reader: materials, polygons, hostile input.
-#include "bake/obj_reader.h"
+#include "bake/io/obj_reader.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

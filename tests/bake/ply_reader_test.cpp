@@ -1,5 +1,5 @@
 // The PLY reader on every encoding and on files made to break it.
-#include "bake/ply_reader.h"
+#include "bake/io/ply_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace jalousie::bake {
 namespace {
 
-using test::codeOf;
 using test::bytesOf;
+using test::codeOf;
 
 TriangleMesh read(const std::string& text) {
   return readPly(bytesOf(text), "test.ply");

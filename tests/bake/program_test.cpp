@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "asset/gltf_file.h"
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
 #include "core/file.h"

@@ -1,4 +1,4 @@
-// The log on disk: what goes in comes out, an interruption costs one line, another experiment is refused.
+// The log of an experiment: results are read back, an interruption loses one line, other experiments are refused.
 #include "compare/experiment_log.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "asset/scene_file.h"
+#include "compare/configuration.h"
+#include "compare/fingerprint.h"
 #include "core/error.h"
 #include "scene/scene_data.h"
 #include "support/error_code.h"

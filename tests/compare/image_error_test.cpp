@@ -368,7 +368,7 @@ TEST(Flip, JudgesPicturesSmallerThanItsFilters) {
   EXPECT_EQ(flip(noise(7, 1, 1), noise(7, 1, 2), kMostPixelsPerDegree).size(), 7U);
 }
 
-/// LDR-FLIP as the paper writes it: double precision, filters in two dimensions, nothing separated, nothing shared with
+/// LDR-FLIP as the paper writes it: double precision, filters in two dimensions without separation. Shares no code with
 /// the library.
 class PaperFlip {
  public:

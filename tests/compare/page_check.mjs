@@ -1,4 +1,4 @@
-// Drives a report's page in a real browser: node page_check.mjs REPORT/index.html [--shots DIR]
+// Checks a report's page in a browser: node page_check.mjs REPORT/index.html [--shots DIR]
 // Prints "ok NAME" or "FAIL NAME: why" per check; exit code 1 if any failed, 2 on wrong usage, 77 without a browser.
 import { spawn } from 'node:child_process';
 import { accessSync, constants, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -68,7 +68,7 @@ const devtools = (cmd, params = {}) => command('/goog/cdp/execute', { cmd, param
 const sleep = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
 async function start() {
-  // Its own process group, so that nothing of it outlives the check.
+  // A process group of its own, so that the check can end the driver together with its browser.
   driver = spawn(driverProgram, ['--port=0'], { detached: true, stdio: ['ignore', 'pipe', 'ignore'] });
   const port = await new Promise((done, fail) => {
     let text = '';
@@ -111,7 +111,7 @@ setTimeout(() => {
   process.exit(1);
 }, MOST_SECONDS * 1000).unref();
 
-// Hands ----------------------------------------------------------------------
+// Input ----------------------------------------------------------------------
 
 async function element(selector) {
   const found = await command('/element', { using: 'css selector', value: selector });

@@ -1,4 +1,4 @@
-// The report's page: whatever the data hold, it stays one page; pictures travel inside as far as there is room.
+// The report's page: it is whole whatever the data hold, and it embeds pictures as far as they fit.
 #include "compare/page.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "asset/image_io.h"
+#include "compare/configuration.h"
 #include "compare/page_pictures.h"
+#include "compare/report_folder.h"
 #include "compare/summary.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -278,7 +280,7 @@ TEST(Page, PicturesWithoutRoomStayOutsideAndTheNoteSaysSo) {
   const ordered_json data = dataOf(page);
   for (const ordered_json& picture : picturesOf(data))
     EXPECT_TRUE(picture.is_null());
-  EXPECT_EQ(data["pictures_note"], "The pictures are too many for one page; they lie as PNG in pictures/");
+  EXPECT_EQ(data["pictures_note"], "The pictures are too large for one page; the folder pictures/ has them as PNG");
 }
 
 TEST(Page, MissingPictureIsAnError) {

@@ -1,4 +1,4 @@
-// What an experiment says: spreads, curves, fronts, and the files that others read.
+// Spreads, curves and Pareto fronts, and the files summary.json and frames.csv.
 #include "compare/summary.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "compare/configuration.h"
+#include "compare/curves.h"
+#include "compare/frames_csv.h"
+#include "compare/spread.h"
 #include "core/random.h"
 
 namespace jalousie::compare {

@@ -1,4 +1,4 @@
-// Errors, checks, files, random numbers and boxes.
+// Errors, checks, files, random numbers, medians and boxes.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -16,6 +16,7 @@
 #include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/median.h"
 #include "core/random.h"
 #include "support/run_program.h"
 
@@ -205,6 +206,13 @@ TEST(Random, UniformStaysInRangeAndCoversIt) {
   }
   EXPECT_NEAR(sum / 100000, 0.5, 0.005);
   EXPECT_EQ(dice, (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5}));
+}
+
+TEST(Median, IsTheMiddleValueOrTheLargerOfTwo) {
+  EXPECT_EQ(median<double>({3.5}), 3.5);
+  EXPECT_EQ(median<double>({9.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median<double>({4.0, 1.0, 3.0, 2.0}), 3.0);
+  EXPECT_EQ(median<float>({1.0F, 1.0F, 100.0F}), 1.0F);
 }
 
 TEST(Aabb, GrowsTransformsAndKnowsWhenItIsEmpty) {

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,8 +14,11 @@
 #include "gl/pass_timer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/frame_renderer.h"
 #include "render/program_table.h"
 #include "support/gl_test.h"
+#include "support/run_program.h"
+#include "support/stages.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::gl {
@@ -69,6 +75,31 @@ TEST_F(GlObjects, EveryProgramOfTheTablesBuilds) {
       EXPECT_NO_THROW(Program{source}) << source.name;
 }
 
+TEST_F(GlObjects, EveryProgramOfARendererReadsItsShaderLibrary) {
+  const test::TemporaryFolder folder;
+  const ShaderLibrary library(folder.path());
+  const scene::SceneData scene = scene::buildScene(test::spheresBehindWall(0.3F));
+  std::set<std::string_view> files;
+  for (const auto table : {visibility::programTable(), render::programTable()})
+    for (const ProgramSource& source : table)
+      files.insert(source.stages.begin(), source.stages.end());
+  EXPECT_GT(files.size(), 20U);
+  EXPECT_NO_THROW(render::FrameRenderer(scene, 16, 16, {.shaders = &library}));
+  for (const std::string_view file : files) {
+    const std::filesystem::path broken = folder / std::string(file);
+    std::filesystem::create_directories(broken.parent_path());
+    std::ofstream(broken) << "no version line\n";
+    try {
+      const render::FrameRenderer renderer(scene, 16, 16, {.shaders = &library});
+      ADD_FAILURE() << file << " was not read from the folder";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kShader) << file;
+    }
+    std::filesystem::remove(broken);
+  }
+  EXPECT_NO_THROW(render::FrameRenderer(scene, 16, 16, {.shaders = &library}));
+}
+
 TEST_F(GlObjects, LinkFailureIsAnErrorWithCodeShader) {
   try {
     const Program broken({"no fragment inputs", {"render/fullscreen.vert", "render/mesh.frag"}, {}});
@@ -79,9 +110,9 @@ TEST_F(GlObjects, LinkFailureIsAnErrorWithCodeShader) {
 }
 
 TEST_F(GlObjects, DebugLogSeesAMistake) {
+  const DebugLog log;                        // replaces the fixture's, which would fail the test
   glBindFramebuffer(GL_FRAMEBUFFER, 12345);  // no such name
-  EXPECT_FALSE(debugLog().problems().empty());
-  debugLog().clear();
+  EXPECT_FALSE(log.problems().empty());
 }
 
 TEST_F(GlObjects, TimerReportsPassesOnlyWhenEnabled) {
@@ -89,7 +120,7 @@ TEST_F(GlObjects, TimerReportsPassesOnlyWhenEnabled) {
   timer.beginFrame();
   { const PassTimer::Scope pass(timer, "quiet"); }
   EXPECT_TRUE(timer.passes().empty());
-  timer.setTiming(gl::Timing::kWall);
+  timer.setTiming(Timing::kWall);
   { const PassTimer::Scope pass(timer, "loud"); }
   ASSERT_EQ(timer.passes().size(), 1U);
   EXPECT_EQ(timer.passes()[0].name, "loud");

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "support/run_program.h"
 
 namespace jalousie::gl {
 namespace {
@@ -38,6 +39,18 @@ TEST(ShaderSource, UnknownFileAndMissingVersionAreErrors) {
       EXPECT_EQ(error.code(), ErrorCode::kShader);
     }
   }
+}
+
+TEST(ShaderSource, FilesOfTheFolderReplaceEmbeddedOnesOfTheSameName) {
+  const test::TemporaryFolder folder;
+  const ShaderLibrary library(folder.path());
+  const std::string embedded = ShaderLibrary().text("lib/dct.glsl");
+  EXPECT_EQ(library.text("lib/dct.glsl"), embedded) << "the folder has no such file yet";
+  std::filesystem::create_directory(folder / "lib");
+  std::ofstream(folder / "lib/dct.glsl") << "changed\n";
+  EXPECT_EQ(library.text("lib/dct.glsl"), "changed\n") << "read anew with every call";
+  EXPECT_EQ(ShaderLibrary().text("lib/dct.glsl"), embedded);
+  EXPECT_EQ(expandShader("render/mesh.frag", {}, library).files, expandShader("render/mesh.frag", {}).files);
 }
 
 TEST(ShaderSource, EveryShaderFileOfTheSourceTreeIsEmbeddedUnchanged) {

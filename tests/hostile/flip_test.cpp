@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "asset/gltf_file.h"
-#include "bake/bake_document.h"
-#include "bake/import.h"
+#include "bake/io/bake_document.h"
+#include "bake/io/import.h"
 #include "fuzz/exercise.h"
 #include "support/scenes.h"
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "bake/bake_fixtures.h"
 #include "support/node.h"
 #include "support/run_program.h"
+#include "support/scenes.h"
 
 namespace jalousie {
 namespace {

@@ -15,11 +15,11 @@ namespace {
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 180;
 
-FrameOptions countingOptions(gpu::uint mode = gpu::kCullHiz) {
+FrameOptions countingOptions(CullMode mode = CullMode::kHiz) {
   FrameOptions options;
   options.cullMode = mode;
-  options.lodRule = gpu::kLodLvError;
-  options.lvMeasure = gpu::kLvPixels;
+  options.lodRule = LodRule::kLvError;
+  options.lvMeasure = LvMeasure::kPixels;
   return options;
 }
 
@@ -32,14 +32,14 @@ scene::Camera moved(const scene::Camera& camera, const glm::vec3& offset) {
 class CountGl : public test::GlTest {};
 
 TEST_F(CountGl, CountsAreWhatTheFrameShowsInEveryModeAndOnBothPaths) {
-  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
+  for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
     const scene::SceneData scene =
-        scene::buildScene(test::spheresBehindWall(0.3F), {.patches = detail == gpu::kDetailTessellation});
+        scene::buildScene(test::spheresBehindWall(0.3F), {.patches = detail == Detail::kTessellation});
     const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-    for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
+    for (const CullModeRow& mode : cullModeTable()) {
       for (const bool stats : {false, true}) {
         FrameRenderer renderer(scene, kWidth, kHeight);
-        FrameOptions options = countingOptions(mode);
+        FrameOptions options = countingOptions(mode.id);
         options.detail = detail;
         options.maxTessellation = 4;
         options.skipDraw = stats;  // what the counts need is drawn all the same
@@ -49,7 +49,7 @@ TEST_F(CountGl, CountsAreWhatTheFrameShowsInEveryModeAndOnBothPaths) {
         const std::vector<gpu::uint> counts = renderer.readPixelCounts();
         renderer.renderIds();
         EXPECT_EQ(counts, visibility::countPixels(renderer.readIds(), static_cast<std::uint32_t>(counts.size())))
-            << "mode " << mode << " detail " << detail;
+            << "mode " << mode.name << " detail " << rowOf(detail).name;
         EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 1000U);
       }
     }
@@ -60,7 +60,7 @@ TEST_F(CountGl, AFrozenCameraCountsWhatItSeesAndNotWhatIsShown) {
   const scene::SceneData scene = scene::buildScene(test::spheresBehindWall(0.3F));
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
   const scene::Camera behind = scene::lookAt({3, 1, -9}, {0, 0, 0}, scene.boundsWorld);
-  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHiz}) {
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHiz}) {
     FrameRenderer frozen(scene, kWidth, kHeight);
     FrameRenderer usual(scene, kWidth, kHeight);
     for (int frame = 0; frame < 3; ++frame) {
@@ -81,7 +81,7 @@ TEST_F(CountGl, WhatNobodySeesIsDrawnCoarsest) {
   const scene::SceneData scene = scene::buildScene(file);
   const scene::Camera camera = scene::lookAt({0, 0, 4}, {0, 0, 0}, scene.boundsWorld);
   FrameRenderer renderer(scene, 4 * kWidth, 4 * kHeight);
-  FrameOptions options = countingOptions(gpu::kCullFrustum);
+  FrameOptions options = countingOptions(CullMode::kFrustum);
   options.tau = 0.2F;
   for (int frame = 0; frame < 3; ++frame)
     renderer.render(options, camera, camera);
@@ -89,7 +89,7 @@ TEST_F(CountGl, WhatNobodySeesIsDrawnCoarsest) {
   const std::vector<gpu::uint> counts = renderer.readPixelCounts();
   ASSERT_GT(counts[0], 1000U);
   ASSERT_EQ(counts[2], 0U);
-  options.lodRule = gpu::kLodPixelError;
+  options.lodRule = LodRule::kPixelError;
   renderer.render(options, camera, camera);
   const std::vector<gpu::ObjectState> uniform = renderer.readStates();
   EXPECT_EQ(states[0].lod, uniform[0].lod) << "in full sight nothing is relaxed";
@@ -122,10 +122,10 @@ class FadeGl : public test::GlTest {
     return scene::buildScene(file);
   }
 
-  static FrameOptions options(float tau, gpu::uint mode) {
+  static FrameOptions options(float tau, CullMode mode) {
     FrameOptions result;
     result.cullMode = mode;
-    result.lodRule = gpu::kLodPixelError;
+    result.lodRule = LodRule::kPixelError;
     result.tau = tau;
     result.calm = true;
     return result;
@@ -135,7 +135,7 @@ class FadeGl : public test::GlTest {
 TEST_F(FadeGl, AFadeBetweenLevelsThatLookAlikeChangesNoPixel) {
   const scene::SceneData scene = twins(false);
   const scene::Camera camera = scene::lookAt({0, 0, 7}, {0, 0, 0}, scene.boundsWorld);
-  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}) {
     for (const auto submission : {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
       FrameRenderer renderer(scene, kWidth, kHeight, {.submission = submission});
       for (int frame = 0; frame < 3; ++frame)
@@ -145,7 +145,7 @@ TEST_F(FadeGl, AFadeBetweenLevelsThatLookAlikeChangesNoPixel) {
       for (gpu::uint frame = 0; frame <= gpu::kDefaultFadeFrames; ++frame) {
         renderer.render(options(100.0F, mode), camera, camera);
         const FrameStatistics statistics = renderer.readStatistics();
-        EXPECT_EQ(renderer.readImage().pixels, image.pixels) << "mode " << mode << " frame " << frame;
+        EXPECT_EQ(renderer.readImage().pixels, image.pixels) << "mode " << rowOf(mode).name << " frame " << frame;
         EXPECT_EQ(statistics.fading, frame < gpu::kDefaultFadeFrames ? 4U : 0U);
         EXPECT_EQ(statistics.switches, frame == 0 ? 4U : 0U);
         EXPECT_EQ(statistics.triangles, frame < gpu::kDefaultFadeFrames ? 2 * triangles : triangles)
@@ -167,16 +167,16 @@ TEST_F(FadeGl, EachFrameGivesANinthOfThePixelsToTheNewLevel) {
       count += image.pixels[p + 2] > 2 * image.pixels[p] ? 1 : 0;
     return static_cast<double>(count);
   };
-  renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
+  renderer.render(options(100.0F, CullMode::kHiz), camera, camera);
   const double all = blue();
   renderer.resetHistory();
-  renderer.render(options(0.001F, gpu::kCullHiz), camera, camera);
+  renderer.render(options(0.001F, CullMode::kHiz), camera, camera);
   ASSERT_EQ(blue(), 0.0);
   for (gpu::uint frame = 1; frame <= gpu::kDefaultFadeFrames; ++frame) {
-    renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
+    renderer.render(options(100.0F, CullMode::kHiz), camera, camera);
     EXPECT_NEAR(blue() / all, frame / (gpu::kDefaultFadeFrames + 1.0), 0.05) << "frame " << frame;
   }
-  renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
+  renderer.render(options(100.0F, CullMode::kHiz), camera, camera);
   EXPECT_EQ(blue(), all);
 }
 
@@ -191,16 +191,16 @@ TEST_F(FadeGl, AFadeIsAsLongAsItIsToldAndEndsWhereCalmEnds) {
       return renderer.readStatistics().fading;
     };
     for (int i = 0; i < 3; ++i)
-      fadingAfter(options(0.001F, gpu::kCullHiz));
+      fadingAfter(options(0.001F, CullMode::kHiz));
     for (gpu::uint frame = 0; frame <= frames; ++frame)
-      EXPECT_EQ(fadingAfter(options(100.0F, gpu::kCullHiz)), frame < frames ? 4U : 0U) << frames << " " << frame;
+      EXPECT_EQ(fadingAfter(options(100.0F, CullMode::kHiz)), frame < frames ? 4U : 0U) << frames << " " << frame;
   }
   FrameRenderer renderer(scene, kWidth, kHeight);
   for (int i = 0; i < 3; ++i)
-    renderer.render(options(0.001F, gpu::kCullHiz), camera, camera);
-  renderer.render(options(100.0F, gpu::kCullHiz), camera, camera);
+    renderer.render(options(0.001F, CullMode::kHiz), camera, camera);
+  renderer.render(options(100.0F, CullMode::kHiz), camera, camera);
   ASSERT_GT(renderer.readStatistics().fading, 0U);
-  FrameOptions plain = options(100.0F, gpu::kCullHiz);
+  FrameOptions plain = options(100.0F, CullMode::kHiz);
   plain.calm = false;
   renderer.render(plain, camera, camera);
   EXPECT_EQ(renderer.readStatistics().fading, 0U);
@@ -234,7 +234,7 @@ TEST_F(CalmGl, JitterSwitchesNothingOnceLevelsHaveSettled) {
   const auto jittered = [&] {
     return moved(camera, 0.06F * glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
   };
-  for (const gpu::uint mode : {gpu::kCullFrustum, gpu::kCullHiz}) {
+  for (const CullMode mode : {CullMode::kFrustum, CullMode::kHiz}) {
     for (const float tau : {0.1F, 0.4F}) {
       FrameRenderer renderer(scene, kWidth, kHeight);
       FrameOptions options = countingOptions(mode);
@@ -242,7 +242,7 @@ TEST_F(CalmGl, JitterSwitchesNothingOnceLevelsHaveSettled) {
       const std::uint64_t restless = switches(renderer, options, 40, jittered);
       options.calm = true;
       switches(renderer, options, 100, jittered);
-      EXPECT_EQ(switches(renderer, options, 60, jittered), 0U) << "mode " << mode << " tau " << tau;
+      EXPECT_EQ(switches(renderer, options, 60, jittered), 0U) << "mode " << rowOf(mode).name << " tau " << tau;
       if (tau == 0.1F) {
         EXPECT_GT(restless, 4U) << "the camera does shake";
       }

@@ -7,6 +7,8 @@
 #include "support/culling.h"
 #include "support/gl_test.h"
 #include "support/scenes.h"
+#include "visibility/frame_counters.h"
+#include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::render {
 namespace {
@@ -78,7 +80,7 @@ TEST_F(CullingGl, TessellatedSurfacesBeyondTheirFlatBase) {
   test::Journey j{"tessellated", scene::buildScene(file, {.patches = true}), {}, {}};
   j.camera = test::tour(j.scene, 5, 3);
   FrameOptions options = test::pixelErrorOptions();
-  options.detail = gpu::kDetailTessellation;
+  options.detail = Detail::kTessellation;
   options.tau = 0.5F;
   EXPECT_GT(expectLossless(j, 200, 113, 20, options).culled, 100U);
 }
@@ -94,14 +96,15 @@ TEST_F(CullingGl, BlendedSurfacesNeverOcclude) {
   const scene::SceneData scene = scene::buildScene(file);
   const scene::Camera camera = scene::lookAt({0, 0, 8}, {0, 0, 0}, scene.boundsWorld);
   FrameRenderer renderer(scene, 160, 90);
-  for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
+  for (const CullMode mode : {CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}) {
     FrameOptions options = test::pixelErrorOptions();
     options.cullMode = mode;
     options.occluderDistance = 5.5F;  // the pane is an occluder, the spheres are not
     for (int frame = 0; frame < 3; ++frame)
       renderer.render(options, camera, camera);
     const std::vector<gpu::uint> marks = renderer.readMarks();
-    EXPECT_TRUE(visibility::isDrawn(marks[0], mode)) << "the large sphere behind the pane, mode " << mode;
+    EXPECT_TRUE(visibility::isDrawn(marks[0], traitsOf(mode)))
+        << "the large sphere behind the pane, mode " << rowOf(mode).name;
   }
 }
 
@@ -112,14 +115,14 @@ TEST_F(CullingGl, HolesOfMaskedSurfacesShowWhatIsBehindInEveryMode) {
   test::addInstance(file, 0, {0, 0, -2}, glm::vec3(1));
   const scene::SceneData scene = scene::buildScene(file);
   const scene::Camera camera = scene::lookAt({0, 0, 8}, {0, 0, 0}, scene.boundsWorld);
-  for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHomDepth, gpu::kCullHiz}) {
+  for (const CullMode mode : {CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}) {
     FrameRenderer renderer(scene, 640, 360);
     FrameOptions options = test::pixelErrorOptions();
     options.cullMode = mode;
     options.occluderDistance = 6.0F;
     for (int frame = 0; frame < 3; ++frame)
       renderer.render(options, camera, camera);
-    EXPECT_EQ(renderer.readStatistics().drawn, 2U) << "mode " << mode;
+    EXPECT_EQ(renderer.readStatistics().drawn, 2U) << "mode " << rowOf(mode).name;
     renderer.renderIds();
     const std::vector<std::uint32_t> ids = renderer.readIds();
     EXPECT_GT(std::count(ids.begin(), ids.end(), 1U), 50) << "the sphere (sorted first) through the holes";
@@ -213,12 +216,13 @@ TEST_F(CullingGl, FarFromTheOriginWhereRoundingIsLarge) {
 TEST_F(CullingGl, DepthAwareMapLosesNothingBehindAGroundPlaneWhereTheThesisMapDoes) {
   const test::Journey j = journey(test::groundPlane(250, 1), 6);
   FrameOptions options = test::pixelErrorOptions();
-  options.cullMode = gpu::kCullHomDepth;
-  for (const float occluderTau : {0.0F, kDefaultOccluderTau, 2.0F}) {  // the guard pays for coarser levels in the map
+  options.cullMode = CullMode::kHomDepth;
+  for (const float occluderTau :
+       {0.0F, rowOf(CullMode::kHomDepth).occluderTau, 2.0F}) {  // the guard pays for coarser levels in the map
     options.occluderTau = occluderTau;
     EXPECT_GT(expectLossless(j, 333, 197, 24, options).culled, 50U) << "occluder tau " << occluderTau;
   }
-  options.cullMode = gpu::kCullHom;
+  options.cullMode = CullMode::kHom;
   const test::CullingLoss thesis = test::countLoss(j, 333, 197, options, 0, 24);
   EXPECT_GT(thesis.wrongPixels, 1000U) << "the known weakness: a plane among the occluders hides what stands on it";
 }
@@ -235,14 +239,14 @@ TEST_F(CullingGl, CoarserOccluderThatCoversMoreThanItsFinestLevelIsGuarded) {
   FrameRenderer renderer(scene, 320, 180);
   const scene::Camera camera = scene::lookAt({0, 0, 6}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options = test::pixelErrorOptions();
-  options.cullMode = gpu::kCullHomDepth;
-  options.lodRule = gpu::kLodFinest;
+  options.cullMode = CullMode::kHomDepth;
+  options.lodRule = LodRule::kFinest;
   options.occluderDistance = 6.0F;
   options.occluderTau = 40.0F;  // 0.733 units are 31 pixels at the sphere's near side: the box is drawn into the map
   renderer.render(options, camera, camera);
   const std::vector<float> open = renderer.map().readOpenPixels();
   EXPECT_GT(std::count(open.begin(), open.end(), 0.0F), 3500) << "the box, not the sphere, is in the map";
-  EXPECT_TRUE(visibility::isDrawn(renderer.readMarks()[1], gpu::kCullHomDepth));
+  EXPECT_TRUE(visibility::isDrawn(renderer.readMarks()[1], traitsOf(CullMode::kHomDepth)));
   const test::Journey j{"", scene::buildScene(file), [camera](std::uint32_t) { return camera; }, {}};
   expectLossless(j, 320, 180, 1, options);
 }

@@ -11,8 +11,15 @@
 #include <optional>
 #include <set>
 
+#include "gl/buffer.h"
+#include "render/make_statistics.h"
 #include "support/gl_test.h"
 #include "support/stages.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/draw_lists_reference.h"
+#include "visibility/importance_mask.h"
+#include "visibility/occlusion_map_pass.h"
 #include "visibility/overlap_reference.h"
 
 namespace jalousie::render {
@@ -24,9 +31,9 @@ constexpr std::uint32_t kHeight = 180;
 /// The thesis' pipeline.
 FrameOptions homOptions() {
   FrameOptions options;
-  options.cullMode = gpu::kCullHom;
-  options.lodRule = gpu::kLodLinear;
-  options.lvMeasure = gpu::kLvThesis;
+  options.cullMode = CullMode::kHom;
+  options.lodRule = LodRule::kLinear;
+  options.lvMeasure = LvMeasure::kThesis;
   options.occluderDistance = test::kWallOccluderDistance;
   return options;
 }
@@ -36,6 +43,11 @@ std::size_t distinctColors(const ImageRgba8& image) {
   for (std::size_t p = 0; p < image.pixels.size(); p += 4)
     colors.insert(image.pixels[p] | image.pixels[p + 1] << 8 | image.pixels[p + 2] << 16);
   return colors.size();
+}
+
+/// Colours that a view has at least: shading makes many, a map or a count of surfaces has few.
+std::size_t leastColors(View view) {
+  return view == View::kOcclusion || view == View::kOverdraw ? 2 : 50;
 }
 
 /// Triangles the driver generated between begin and end.
@@ -67,27 +79,26 @@ class FrameRendererGl : public test::GlTest {
 };
 
 TEST_F(FrameRendererGl, EveryOptionPermutationDrawsAPictureWithACleanLog) {
-  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
-    const scene::SceneData scene = wallScene(0.3F, detail == gpu::kDetailTessellation);
+  for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+    const scene::SceneData scene = wallScene(0.3F, detail == Detail::kTessellation);
     FrameRenderer renderer(scene, kWidth, kHeight);
     const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-    for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
-      for (gpu::uint rule = gpu::kLodFinest; rule <= gpu::kLodLvError; ++rule) {
-        for (gpu::uint view = gpu::kViewShaded; view <= gpu::kViewPhase; ++view) {
-          const bool needsCover = rule == gpu::kLodLinear || rule == gpu::kLodLvError || view == gpu::kViewLv ||
-                                  view == gpu::kViewOcclusion;
-          if (needsCover && mode < gpu::kCullHom) continue;
-          if (view == gpu::kViewPhase && mode != gpu::kCullHiz) continue;
+    for (const CullModeRow& mode : cullModeTable()) {
+      for (const LodRuleRow& rule : lodRuleTable()) {
+        for (const ViewRow& view : viewTable()) {
+          const bool needsTest = rule.followsLv || view.showsLv || view.needsOcclusionTest;
+          if (needsTest && !mode.testsOcclusion) continue;
+          if (view.needsTwoPhases && !mode.twoPhases) continue;
           FrameOptions options = homOptions();
-          options.cullMode = mode;
-          options.lodRule = rule;
+          options.cullMode = mode.id;
+          options.lodRule = rule.id;
           options.detail = detail;
-          options.view = view;
+          options.view = view.id;
           options.maxTessellation = 4;
           renderer.render(options, camera, camera);
           const std::size_t colors = distinctColors(renderer.readImage());
-          EXPECT_GE(colors, view == gpu::kViewOcclusion ? 2U : 50U)
-              << "detail " << detail << " mode " << mode << " rule " << rule << " view " << view;
+          EXPECT_GE(colors, leastColors(view.id))
+              << rowOf(detail).name << ", mode " << mode.name << ", rule " << rule.name << ", view " << view.name;
         }
       }
     }
@@ -101,7 +112,7 @@ TEST_F(FrameRendererGl, FramesRepeatBitForBit) {
   first.render(homOptions(), camera, camera);
   const ImageRgba8 image = first.readImage();
   FrameOptions other = homOptions();
-  other.view = gpu::kViewLv;
+  other.view = View::kLv;
   first.render(other, camera, camera);
   first.render(homOptions(), camera, camera);
   EXPECT_EQ(first.readImage().pixels, image.pixels) << "the same renderer, later";
@@ -116,11 +127,11 @@ TEST_F(FrameRendererGl, FrustumCullingChangesNoPixel) {
   for (const glm::vec3 eye : {glm::vec3(0, 0, 14), glm::vec3(2, 1, 0)}) {
     const scene::Camera camera = scene::lookAt(eye, {0, 0.3F, -2}, scene.boundsWorld);
     FrameOptions options;
-    options.lodRule = gpu::kLodFinest;
-    options.cullMode = gpu::kCullNone;
+    options.lodRule = LodRule::kFinest;
+    options.cullMode = CullMode::kFull;
     renderer.render(options, camera, camera);
     const ImageRgba8 full = renderer.readImage();
-    options.cullMode = gpu::kCullFrustum;
+    options.cullMode = CullMode::kFrustum;
     renderer.render(options, camera, camera);
     EXPECT_EQ(renderer.readImage().pixels, full.pixels);
     EXPECT_GT(renderer.readStatistics().culledFrustum, 0U);
@@ -133,11 +144,11 @@ TEST_F(FrameRendererGl, ClosedWallHidesEverySphereAndNoPixelChanges) {
   const scene::Camera camera = scene::lookAt({0, 0, 2.5F}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options = homOptions();
   options.occluderDistance = 3.0F;
-  options.cullMode = gpu::kCullNone;
-  options.lodRule = gpu::kLodFinest;
+  options.cullMode = CullMode::kFull;
+  options.lodRule = LodRule::kFinest;
   renderer.render(options, camera, camera);
   const ImageRgba8 full = renderer.readImage();
-  options.cullMode = gpu::kCullHom;
+  options.cullMode = CullMode::kHom;
   renderer.render(options, camera, camera);
   EXPECT_EQ(renderer.readImage().pixels, full.pixels);
   const FrameStatistics s = renderer.readStatistics();
@@ -211,17 +222,17 @@ TEST_F(FrameRendererGl, FrozenCullingCameraKeepsVerdictsWhileTheViewMoves) {
 TEST_F(FrameRendererGl, TriangleCountEqualsTheDriversCount) {
   asset::SceneFile file = test::randomSpheres(60, 6.0F, 12);
   const scene::Camera camera = scene::lookAt({0, 0, 14}, {0, 0, 0}, {glm::vec3(-6), glm::vec3(6)});
-  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
-    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == gpu::kDetailTessellation});
+  for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == Detail::kTessellation});
     FrameRenderer renderer(scene, 64, 64);
     FrameOptions options;
     options.detail = detail;
-    options.cullMode = gpu::kCullFrustum;
-    options.lodRule = gpu::kLodFinest;
+    options.cullMode = CullMode::kFrustum;
+    options.lodRule = LodRule::kFinest;
     options.maxTessellation = 7;
     PrimitiveQuery query;
     renderer.render(options, camera, camera);
-    EXPECT_EQ(query.end(), renderer.readStatistics().triangles) << "detail " << detail;
+    EXPECT_EQ(query.end(), renderer.readStatistics().triangles) << "detail " << rowOf(detail).name;
   }
 }
 
@@ -250,10 +261,10 @@ TEST_F(FrameRendererGl, PassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setTiming(gl::Timing::kWall);
+  renderer.setTiming(Timing::kWall);
   renderer.render(homOptions(), camera, camera);
   std::vector<std::string> names;
-  for (const gl::PassTime& pass : renderer.timer().passes())
+  for (const PassTime& pass : renderer.passTimes())
     names.emplace_back(pass.name);
   EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "occluders", "reduce map", "analyse",
                                              "late list", "draw", "count"}));
@@ -263,10 +274,10 @@ TEST_F(FrameRendererGl, TwoPhasePassesAreTimedByName) {
   const scene::SceneData scene = wallScene(0.3F);
   FrameRenderer renderer(scene, 64, 64);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
-  renderer.timer().setTiming(gl::Timing::kWall);
+  renderer.setTiming(Timing::kWall);
   renderer.render({}, camera, camera);
   std::vector<std::string> names;
-  for (const gl::PassTime& pass : renderer.timer().passes())
+  for (const PassTime& pass : renderer.passTimes())
     names.emplace_back(pass.name);
   EXPECT_EQ(names, (std::vector<std::string>{"classify", "early list", "early draw", "depth pyramid", "analyse",
                                              "late list", "late draw", "count pixels", "count"}));
@@ -281,10 +292,10 @@ TEST_F(FrameRendererGl, SubmissionsAndFastPathsGiveTheSameImageAndDepth) {
   file.chains.push_back({"glass", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
   for (std::size_t i = 0; i < file.instances.size(); i += 7)
     file.instances[i].chain = 1;
-  for (const gpu::uint detail : {gpu::kDetailDiscrete, gpu::kDetailTessellation}) {
-    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == gpu::kDetailTessellation});
+  for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+    const scene::SceneData scene = scene::buildScene(file, {.patches = detail == Detail::kTessellation});
     const scene::Camera camera = scene::lookAt({0, 1, 13}, {0, 0, 0}, scene.boundsWorld);
-    for (const gpu::uint mode : {gpu::kCullHom, gpu::kCullHiz}) {
+    for (const CullMode mode : {CullMode::kHom, CullMode::kHiz}) {
       std::optional<ImageRgba8> image;
       std::vector<float> depth;
       for (const visibility::Submission submission :
@@ -301,7 +312,8 @@ TEST_F(FrameRendererGl, SubmissionsAndFastPathsGiveTheSameImageAndDepth) {
             image = renderer.readImage();
             depth = renderer.readDepth();
           }
-          EXPECT_EQ(renderer.readImage().pixels, image->pixels) << "detail " << detail << " mode " << mode;
+          EXPECT_EQ(renderer.readImage().pixels, image->pixels)
+              << "detail " << rowOf(detail).name << " mode " << rowOf(mode).name;
           EXPECT_EQ(renderer.readDepth(), depth);
         }
       }
@@ -329,9 +341,9 @@ TEST_F(FrameRendererGl, StatisticsEqualACountOfTheStates) {
   const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 14));
   FrameRenderer renderer(scene, kWidth, kHeight);
   const scene::Camera camera = scene::lookAt({0, 0, 12}, {0, 0, 0}, scene.boundsWorld);
-  for (gpu::uint mode = gpu::kCullNone; mode <= gpu::kCullHiz; ++mode) {
+  for (const CullModeRow& mode : cullModeTable()) {
     FrameOptions options;
-    options.cullMode = mode;
+    options.cullMode = mode.id;
     renderer.render(options, camera, camera);
     renderer.render(options, camera, camera);
     const FrameStatistics expected =
@@ -352,7 +364,7 @@ TEST_F(FrameRendererGl, ListsThatRunOutDropCountAndReport) {
        {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
     FrameRenderer renderer(scene, kWidth, kHeight, {.submission = submission, .capacity = 120});
     FrameOptions options;
-    options.cullMode = gpu::kCullFrustum;
+    options.cullMode = CullMode::kFrustum;
     renderer.render(options, camera, camera);
     EXPECT_EQ(renderer.readStatistics().dropped, 180U);
     renderer.renderIds();
@@ -371,8 +383,8 @@ TEST_F(FrameRendererGl, PixelErrorSpendsLessWithALargerTau) {
   std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
   for (const float tau : {0.0F, 0.05F, 0.2F, 1.0F}) {
     FrameOptions options;
-    options.lodRule = gpu::kLodPixelError;
-    options.cullMode = gpu::kCullFrustum;
+    options.lodRule = LodRule::kPixelError;
+    options.cullMode = CullMode::kFrustum;
     options.tau = tau;
     renderer.render(options, camera, camera);
     const std::uint64_t triangles = renderer.readStatistics().triangles;
@@ -386,9 +398,9 @@ TEST_F(FrameRendererGl, PixelErrorChoosesTessellationPerObject) {
   FrameRenderer renderer(scene, kWidth, kHeight);
   const scene::Camera camera = scene::lookAt({0, 0, 14}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options;
-  options.lodRule = gpu::kLodPixelError;
-  options.detail = gpu::kDetailTessellation;
-  options.cullMode = gpu::kCullFrustum;
+  options.lodRule = LodRule::kPixelError;
+  options.detail = Detail::kTessellation;
+  options.cullMode = CullMode::kFrustum;
   options.tau = 0.25F;
   renderer.render(options, camera, camera);
   const FrameStatistics s = renderer.readStatistics();
@@ -400,8 +412,8 @@ TEST_F(FrameRendererGl, ContributionAndImportanceLowerTheBudgetWhereAsked) {
   const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 5));
   const scene::Camera camera = scene::lookAt({0, 0, 20}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options;
-  options.lodRule = gpu::kLodPixelError;
-  options.cullMode = gpu::kCullFrustum;
+  options.lodRule = LodRule::kPixelError;
+  options.cullMode = CullMode::kFrustum;
   options.tau = 0.1F;
   // Left half black, right half white.
   ImageRgba8 half{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
@@ -433,9 +445,9 @@ void expectSettledFrameAgrees(const scene::SceneData& scene, const scene::Camera
                               std::uint32_t height) {
   FrameRenderer renderer(scene, width, height);
   FrameOptions options;
-  options.view = gpu::kViewLv;  // LV of every object
-  options.lodRule = gpu::kLodPixelError;
-  options.lvMeasure = gpu::kLvThesis;
+  options.view = View::kLv;  // LV of every object
+  options.lodRule = LodRule::kPixelError;
+  options.lvMeasure = LvMeasure::kThesis;
   for (int frame = 0; frame < 4; ++frame)
     renderer.render(options, camera, camera);
   // Nothing is drawn late any more, so the final depth is what the pyramid was made of; blended surfaces come later.
@@ -455,8 +467,8 @@ void expectSettledFrameAgrees(const scene::SceneData& scene, const scene::Camera
   }
   EXPECT_GT(compared, 20U);
   const visibility::DrawLists expected =
-      visibility::buildDrawLists(scene, renderer.cullView(), states, boxes, marks, gpu::kMarkEarly,
-                                 visibility::Submission::kInstanced, static_cast<std::uint32_t>(states.size()));
+      visibility::buildDrawLists(scene, renderer.cullView(), {states, boxes, marks}, gpu::kMarkEarly,
+                                 {.capacity = static_cast<std::uint32_t>(states.size())});
   EXPECT_EQ(renderer.earlyList().instances().read<gpu::uint>(expected.instances.size()), expected.instances);
 }
 

@@ -1,10 +1,11 @@
 // Counting of verdicts into figures.
-#include "render/frame_statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
+#include "policy/frame_policy.h"
+#include "render/make_statistics.h"
 #include "support/scenes.h"
 
 namespace jalousie::render {
@@ -22,8 +23,7 @@ TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
     test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
   const scene::SceneData scene = scene::buildScene(file);
   gpu::CullView view{};
-  view.detail = gpu::kDetailDiscrete;
-  view.cullMode = gpu::kCullHiz;
+  view.traits = traitsOf(CullMode::kHiz);
   const std::vector<gpu::ObjectState> states = {{gpu::kVerdictOutside, 0, 20, -1}, {gpu::kVerdictOccluded, 0, 20, 1},
                                                 {gpu::kVerdictStale, 0, 20, -1},   {gpu::kVerdictPartial, 2, 5, 0.4F},
                                                 {gpu::kVerdictNear, 0, 20, -1},    {gpu::kVerdictSmall, 0, 20, -1}};
@@ -47,7 +47,7 @@ TEST(FrameStatistics, OccludersAreCountedOnceThoughTheMapDrawsThemToo) {
   test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
   const scene::SceneData scene = scene::buildScene(file);
   gpu::CullView view{};
-  view.cullMode = gpu::kCullHom;
+  view.traits = traitsOf(CullMode::kHom);
   const FrameStatistics s =
       count(scene, view, {{gpu::kVerdictOccluder, 0, 20, -1}}, {gpu::kMarkEarly | gpu::kMarkLate});
   EXPECT_EQ(s.occluders, 1U);
@@ -62,7 +62,7 @@ TEST(FrameStatistics, TessellationCountsThesisNumbers) {
     test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
   const scene::SceneData scene = scene::buildScene(file, {.patches = true});
   gpu::CullView view{};
-  view.detail = gpu::kDetailTessellation;
+  view.traits = traitsOf(Detail::kTessellation);
   view.maxTessellation = 20;
   const FrameStatistics s = count(scene, view, std::vector<gpu::ObjectState>(5001, {gpu::kVerdictPending, 0, 20, -1}),
                                   std::vector<gpu::uint>(5001, gpu::kMarkLate));

@@ -13,11 +13,11 @@ class GoldenGl : public test::GlTest {
  protected:
   /// The thesis' pipeline, whatever else the options say.
   static ImageRgba8 frame(FrameOptions options) {
-    options.cullMode = gpu::kCullHom;
-    options.lodRule = gpu::kLodLinear;
-    options.lvMeasure = gpu::kLvThesis;
+    options.cullMode = CullMode::kHom;
+    options.lodRule = LodRule::kLinear;
+    options.lvMeasure = LvMeasure::kThesis;
     const scene::SceneData scene =
-        scene::buildScene(test::spheresBehindWall(0.35F), {.patches = options.detail == gpu::kDetailTessellation});
+        scene::buildScene(test::spheresBehindWall(0.35F), {.patches = options.detail == Detail::kTessellation});
     FrameRenderer renderer(scene, 320, 180);
     const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
     options.occluderDistance = test::kWallOccluderDistance;
@@ -32,19 +32,19 @@ TEST_F(GoldenGl, Shaded) {
 
 TEST_F(GoldenGl, LodView) {
   FrameOptions options;
-  options.view = gpu::kViewLod;
+  options.view = View::kLod;
   EXPECT_TRUE(test::matchesGolden(frame(options), "wall_lod"));
 }
 
 TEST_F(GoldenGl, LvView) {
   FrameOptions options;
-  options.view = gpu::kViewLv;
+  options.view = View::kLv;
   EXPECT_TRUE(test::matchesGolden(frame(options), "wall_lv"));
 }
 
 TEST_F(GoldenGl, OcclusionMapView) {
   FrameOptions options;
-  options.view = gpu::kViewOcclusion;
+  options.view = View::kOcclusion;
   EXPECT_TRUE(test::matchesGolden(frame(options), "wall_occlusion"));
   options.mapLevel = 3;
   EXPECT_TRUE(test::matchesGolden(frame(options), "wall_occlusion_level3"));
@@ -52,9 +52,9 @@ TEST_F(GoldenGl, OcclusionMapView) {
 
 TEST_F(GoldenGl, Tessellation) {
   FrameOptions options;
-  options.detail = gpu::kDetailTessellation;
+  options.detail = Detail::kTessellation;
   options.maxTessellation = 12;  // below every driver's limit for the wall's many patches
-  options.view = gpu::kViewLod;
+  options.view = View::kLod;
   EXPECT_TRUE(test::matchesGolden(frame(options), "wall_tessellation_lod"));
 }
 
@@ -85,8 +85,8 @@ TEST_F(GoldenGl, MaskedBlendedMirroredAndTexturedSurfaces) {
   FrameRenderer renderer(scene, 320, 180);
   const scene::Camera camera = scene::lookAt({0, 0, 6}, {0, 0, 0}, scene.boundsWorld);
   FrameOptions options;
-  options.cullMode = gpu::kCullFrustum;
-  options.lodRule = gpu::kLodFinest;
+  options.cullMode = CullMode::kFrustum;
+  options.lodRule = LodRule::kFinest;
   renderer.render(options, camera, camera);
   EXPECT_TRUE(test::matchesGolden(renderer.readImage(), "surfaces"));
 }

@@ -22,9 +22,9 @@ class TessellationGl : public test::GlTest {
 
   static FrameOptions options(gpu::uint level) {
     FrameOptions result;
-    result.cullMode = gpu::kCullNone;
-    result.lodRule = gpu::kLodFinest;
-    result.detail = gpu::kDetailTessellation;
+    result.cullMode = CullMode::kFull;
+    result.lodRule = LodRule::kFinest;
+    result.detail = Detail::kTessellation;
     result.maxTessellation = level;
     return result;
   }
@@ -147,9 +147,9 @@ TEST_F(TessellationGl, HiddenSpheresUseTheirCoarseLevels) {
   FrameRenderer renderer(scene, 320, 180);
   const scene::Camera camera = test::cameraBeforeWall(scene.boundsWorld);
   FrameOptions linear = options(20);
-  linear.cullMode = gpu::kCullHom;
-  linear.lodRule = gpu::kLodLinear;
-  linear.lvMeasure = gpu::kLvThesis;
+  linear.cullMode = CullMode::kHom;
+  linear.lodRule = LodRule::kLinear;
+  linear.lvMeasure = LvMeasure::kThesis;
   linear.occluderDistance = test::kWallOccluderDistance;
   linear.skipDraw = true;
   renderer.render(linear, camera, camera);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "asset/scene_file.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "scene/texture_layers.h"
@@ -139,11 +140,11 @@ TEST(SceneData, ObjectsAreSortedByChainAndCutIntoTiles) {
   ASSERT_EQ(scene.objects.size(), 200U);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const gpu::Object& object = scene.objects[i];
-    EXPECT_EQ(object.chain, file.instances[object.instance].chain);
-    EXPECT_EQ(worldFromObject(scene.transforms[i]), file.instances[object.instance].worldFromObject);
+    EXPECT_EQ(object.chain, file.instances[object.owner].chain);
+    EXPECT_EQ(worldFromObject(scene.transforms[object.transform]), file.instances[object.owner].worldFromObject);
     if (i == 0) continue;
     const gpu::Object& last = scene.objects[i - 1];
-    EXPECT_TRUE(last.chain < object.chain || (last.chain == object.chain && last.instance < object.instance));
+    EXPECT_TRUE(last.chain < object.chain || (last.chain == object.chain && last.owner < object.owner));
   }
   gpu::uint next = 0;
   for (const gpu::Tile& tile : scene.binLayout.tiles) {

@@ -16,7 +16,7 @@ namespace {
 
 Aabb boundsWorld(const scene::SceneData& scene, std::size_t object) {
   const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
-  return transformed(scene::worldFromObject(scene.transforms[object]),
+  return transformed(scene::worldFromObject(scene.transforms[scene.objects[object].transform]),
                      Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
 }
 
@@ -28,10 +28,10 @@ glm::vec3 placeNear(const scene::SceneData& scene, Random& random) {
 }
 
 void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std::vector<gpu::uint>& marks,
-             gpu::uint cullMode) {
+             gpu::uint traits) {
   std::uint64_t wrong = 0;
   for (const std::uint32_t id : ids)
-    wrong += id > 0 && !visibility::isDrawn(marks[id - 1], cullMode) ? 1 : 0;
+    wrong += id > 0 && !visibility::isDrawn(marks[id - 1], traits) ? 1 : 0;
   loss.wrongPixels += wrong;
   loss.worstFrame = std::max(loss.worstFrame, wrong);
 }
@@ -40,12 +40,12 @@ void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std
 
 CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t height,
                       const render::FrameOptions& options, std::uint32_t firstFrame, std::uint32_t frames) {
-  const bool followsLv = options.lodRule == gpu::kLodLinear || options.lodRule == gpu::kLodLvError;
+  const bool followsLv = options.lodRule == LodRule::kLinear || options.lodRule == LodRule::kLvError;
   JAL_CHECK(!followsLv);
   render::FrameRenderer renderer(journey.scene, width, height);
   render::FrameRenderer reference(journey.scene, width, height);
   render::FrameOptions everything = options;
-  everything.cullMode = gpu::kCullNone;
+  everything.cullMode = CullMode::kFull;
   everything.skipDraw = true;  // renderIds draws it
   std::vector<gpu::Transform> transforms = journey.scene.transforms;
   CullingLoss loss;
@@ -63,7 +63,7 @@ CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t
     const std::vector<float> expectedDepth = reference.readDepth();
     for (std::size_t pixel = 0; pixel < depth.size(); ++pixel)
       loss.differentDepths += depth[pixel] != expectedDepth[pixel] ? 1 : 0;
-    addLoss(loss, reference.readIds(), renderer.readMarks(), options.cullMode);
+    addLoss(loss, reference.readIds(), renderer.readMarks(), traitsOf(options.cullMode));
     const render::FrameStatistics statistics = renderer.readStatistics();
     loss.culled += statistics.culledOcclusion;
     loss.triangles += statistics.triangles;
@@ -108,13 +108,14 @@ std::function<scene::Camera(std::uint32_t frame)> tour(const scene::SceneData& s
 std::function<void(std::uint32_t frame, std::span<gpu::Transform>)> swingObjects(const scene::SceneData& scene,
                                                                                  std::uint32_t stride) {
   return [&scene, stride](std::uint32_t frame, std::span<gpu::Transform> transforms) {
-    for (std::size_t i = 0; i < transforms.size(); i += stride) {
+    for (std::size_t i = 0; i < scene.objects.size(); i += stride) {
+      const gpu::uint transform = scene.objects[i].transform;
       const float phase = 0.9F * static_cast<float>(frame) + static_cast<float>(i);
       const float reach = boundsWorld(scene, i).diagonal();
       const glm::vec3 swing = reach * glm::vec3(std::sin(phase), 0.3F * std::cos(1.3F * phase), std::cos(phase));
-      const glm::mat4 rest = scene::worldFromObject(scene.transforms[i]);
-      transforms[i] = scene::makeTransform(glm::translate(glm::mat4(1.0F), swing) *
-                                           glm::rotate(rest, phase, glm::vec3(0.0F, 1.0F, 0.0F)));
+      const glm::mat4 rest = scene::worldFromObject(scene.transforms[transform]);
+      transforms[transform] = scene::makeTransform(glm::translate(glm::mat4(1.0F), swing) *
+                                                   glm::rotate(rest, phase, glm::vec3(0.0F, 1.0F, 0.0F)));
     }
   };
 }

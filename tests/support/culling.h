@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "render/frame_renderer.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::test {
 
 /// Levels by projected error alone: what is compared must not depend on what was seen before.
 inline render::FrameOptions pixelErrorOptions() {
   render::FrameOptions options;
-  options.lodRule = gpu::kLodPixelError;
+  options.lodRule = LodRule::kPixelError;
   return options;
 }
 

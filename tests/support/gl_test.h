@@ -51,8 +51,6 @@ class GlTest : public testing::Test {
       ADD_FAILURE() << "OpenGL debug output: " << problem;
   }
 
-  gl::DebugLog& debugLog() { return *log_; }
-
  private:
   std::optional<gl::DebugLog> log_;
 };

@@ -27,6 +27,9 @@ void redirect(int target, const std::filesystem::path& file) {
   if (fd < 0 || ::dup2(fd, target) < 0) ::_exit(127);
 }
 
+/// Makes jalousie use an OpenGL debug context and exit with code 70 on a message. Other programs ignore it.
+char kDebugVariable[] = "JALOUSIE_GL_DEBUG=1";
+
 }  // namespace
 
 ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -47,6 +50,8 @@ ProgramResult runProgram(const std::filesystem::path& program, const std::vector
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     if (!setup.folder.empty() && ::chdir(setup.folder.c_str()) != 0) ::_exit(127);
+    // Ours first: the caller may set it otherwise.
+    ::putenv(kDebugVariable);
     for (const std::string& variable : setup.environment)
       ::putenv(const_cast<char*>(variable.c_str()));
     ::execv(argv[0], argv.data());

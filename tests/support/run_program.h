@@ -18,13 +18,14 @@ struct ProgramResult {
 };
 
 struct ProgramSetup {
-  std::vector<std::string> environment = {};  ///< "NAME=VALUE", added to ours
+  std::vector<std::string> environment = {};  ///< "NAME=VALUE", added to ours and to JALOUSIE_GL_DEBUG=1
   std::filesystem::path folder = {};          ///< to run in; empty: ours
   std::chrono::milliseconds signalAfter{0};   ///< 0: never; counted from the start
   int signal = 9;
 };
 
-/// Runs `program ARGUMENT...` without a shell and waits for it.
+/// Runs `program ARGUMENT...` without a shell and waits for it. A message of an OpenGL debug context, of medium or high
+/// severity, gives jalousie the exit code 70.
 ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                          const ProgramSetup& setup = {});
 

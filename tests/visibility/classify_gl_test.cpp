@@ -41,10 +41,10 @@ struct Bracket {
     const Aabb bounds{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)};
     const glm::vec2 viewport(view.viewportWidth, view.viewportHeight);
     for (std::size_t i = 0; i < 3; ++i)
-      boxes[i] = boxOnScreen(scene.transforms[object], bounds, view.clipFromWorld, viewport,
+      boxes[i] = boxOnScreen(scene.transforms[scene.objects[object].transform], bounds, view.clipFromWorld, viewport,
                              static_cast<float>(i) * gpu::kRounding);
     const glm::vec4 reach(glm::max(glm::abs(bounds.min), glm::abs(bounds.max)), 1.0F);
-    const gpu::Transform& t = scene.transforms[object];
+    const gpu::Transform& t = scene.transforms[scene.objects[object].transform];
     const glm::vec3 world(glm::dot(glm::abs(t.worldFromObject0), reach), glm::dot(glm::abs(t.worldFromObject1), reach),
                           glm::dot(glm::abs(t.worldFromObject2), reach));
     worldError = kFewUlps * (glm::length(world) + glm::length(glm::vec3(view.cameraWorld)));

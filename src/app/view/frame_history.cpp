@@ -31,12 +31,12 @@ std::string FrameHistory::json(const std::string& renderer, bool gpuTiming) cons
   return root.dump(2) + "\n";
 }
 
-FrameSample makeSample(double seconds, const std::vector<gl::PassTime>& passes,
+FrameSample makeSample(double seconds, const std::vector<PassTime>& passes,
                        const render::FrameStatistics& statistics) {
   FrameSample sample;
   sample.seconds = seconds;
   sample.statistics = statistics;
-  for (const gl::PassTime& pass : passes) {
+  for (const PassTime& pass : passes) {
     sample.passes.emplace_back(pass.name, pass.ms);
     sample.frameMs += pass.ms;
   }

@@ -36,7 +36,7 @@ class FrameHistory {
 };
 
 /// A frame's sample. @param passes  of the timer
-FrameSample makeSample(double seconds, const std::vector<gl::PassTime>& passes,
+FrameSample makeSample(double seconds, const std::vector<PassTime>& passes,
                        const render::FrameStatistics& statistics);
 
 }  // namespace jalousie::app

@@ -149,9 +149,9 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
   const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
   Inspection result;
   result.object = object;
-  result.instance = scene.objects[object].instance;
+  result.instance = scene.objects[object].owner;
   result.chain = fmt::format("{}", scene.objects[object].chain);
-  result.boundsWorld = transformed(scene::worldFromObject(scene.transforms[object]),
+  result.boundsWorld = transformed(scene::worldFromObject(scene.transforms[scene.objects[object].transform]),
                                    {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
   result.readout = renderer.readObject(object);
   const gpu::ScreenBox& box = result.readout.box;

@@ -1,14 +1,9 @@
 // Window, viewer, loop.
 #include "app/view/view_command.h"
 
-#include <fmt/format.h>
-
-#include <optional>
-
+#include "app/gl_debug.h"
 #include "app/view/icon.h"
 #include "app/view/viewer.h"
-#include "core/error.h"
-#include "gl/debug_log.h"
 
 namespace jalousie::app {
 namespace {
@@ -29,17 +24,14 @@ platform::WindowOptions windowOptions(const ViewOptions& options) {
 void runView(const ViewOptions& options) {
   platform::Window window(windowOptions(options));
   setWindowIcon(window.handle());
-  std::optional<gl::DebugLog> log;
-  if (options.debug) log.emplace();
+  const GlDebug debug(options.debug);
   {
     Viewer viewer(window, options);
     while (!viewer.done())
       viewer.step();
     viewer.finish();
   }
-  if (log && !log->problems().empty())
-    throw Error(ErrorCode::kInternal,
-                fmt::format("OpenGL complained {} times, first: {}", log->problems().size(), log->problems().front()));
+  debug.check();
 }
 
 }  // namespace jalousie::app

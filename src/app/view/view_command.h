@@ -6,8 +6,8 @@
 namespace jalousie::app {
 
 /// Runs until the window is closed. @param options  finished
-/// Errors: kNoGpu without a display, naming the headless command; kWriteFailed; kInternal with --debug where OpenGL
-/// complained.
+/// Errors: kNoGpu without a display, naming the headless command; kWriteFailed; kInternal with --debug if
+/// OpenGL reported a message.
 void runView(const ViewOptions& options);
 
 }  // namespace jalousie::app

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/gl_debug.h"
 #include "app/option_checks.h"
 #include "core/error.h"
 
@@ -44,7 +45,7 @@ void addScriptOptions(CLI::App& command, ViewOptions& o) {
       ->type_name("N");
   command.add_flag("--interface", o.withInterface, "The screenshot shows the interface too");
   command.add_option("--json", o.render.json, "Write the figures of the last frames at the end")->type_name("STATS");
-  command.add_flag("--debug", o.debug, "OpenGL debug context: its complaints are printed and the exit code is 70");
+  addDebugOption(command, o.debug);
 }
 
 }  // namespace

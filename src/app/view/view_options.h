@@ -30,7 +30,7 @@ struct ViewOptions {
   std::filesystem::path shaders;  ///< folder to read shaders from; empty: the embedded ones
   std::filesystem::path outputs;  ///< folder of screenshots and paths; empty: the current one
   float scale = 0.0F;             ///< of the interface; 0: the display's
-  bool debug = false;             ///< a debug context whose messages of weight become the exit code
+  bool debug = false;             ///< an OpenGL debug context, whose messages become the exit code
 
   bool sizeGiven = false;  ///< --size was said; else the window is as large as it was last
 

@@ -14,7 +14,6 @@
 #include "app/option_values.h"
 #include "app/view/command_text.h"
 #include "core/error.h"
-#include "gl/shader_source.h"
 
 namespace jalousie::app {
 namespace {
@@ -49,11 +48,11 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
       state_(startState(options)),
       input_(window.handle()),
       interface_(window.handle(), options.scale, state_.settings.layout),
+      shaders_(options.shaders),
       shaderWatch_(options.shaders, /*recursive=*/true),
       settingsFolder_(settingsFolder()) {
   pathStart_ = pathSeconds_ =
       static_cast<double>(options.render.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
-  gl::setShaderFolder(options.shaders);
   for (const std::filesystem::path& file : expandFolders(options.files))
     open(file);
   state_.current = 0;
@@ -63,9 +62,7 @@ Viewer::Viewer(platform::Window& window, const ViewOptions& options)
   lastStep_ = now();
 }
 
-Viewer::~Viewer() {
-  gl::setShaderFolder({});
-}
+Viewer::~Viewer() = default;
 
 double Viewer::now() const {
   return glfwGetTime();
@@ -148,6 +145,7 @@ RenderOptions Viewer::optionsFor(std::size_t document, int side) const {
   options.width = std::max(static_cast<std::uint32_t>(region(document).width), 1U);
   options.height = std::max(height_, 1U);
   options.repeat = 1;
+  options.rendererOptions.shaders = &shaders_;
   return options;
 }
 
@@ -193,7 +191,7 @@ void Viewer::renderDocument(std::size_t index) {
     Side* scene = document.prepare(side, options);
     if (scene == nullptr) continue;
     render::FrameRenderer& renderer = scene->renderer();
-    renderer.timer().setTiming(window_.capabilities().softwareRenderer ? gl::Timing::kWall : gl::Timing::kGpu);
+    renderer.setTiming(window_.capabilities().softwareRenderer ? Timing::kWall : Timing::kGpu);
     const std::optional<RenderCameras> cameras = camerasFor(index, side);
     if (!cameras) continue;
     renderer.render(options.frameOptions, cameras->cull, cameras->draw);
@@ -201,7 +199,7 @@ void Viewer::renderDocument(std::size_t index) {
     if (charted_ != &document) state_.history.clear();
     charted_ = &document;
     if (const auto statistics = renderer.latestStatistics())
-      state_.history.add(makeSample(now(), renderer.timer().passes(), *statistics));
+      state_.history.add(makeSample(now(), renderer.passTimes(), *statistics));
   }
 }
 

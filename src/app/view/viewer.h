@@ -17,6 +17,7 @@
 #include "app/view/view_state.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
+#include "gl/shader_source.h"
 #include "platform/window.h"
 
 namespace jalousie::app {
@@ -121,6 +122,7 @@ class Viewer {
   Canvas canvas_;
   std::vector<std::unique_ptr<Document>> documents_;
   std::vector<CameraChoice> starts_;  ///< cameras of the start, by document
+  gl::ShaderLibrary shaders_;
   FileWatch shaderWatch_;
   std::filesystem::path settingsFolder_;
   std::string title_;

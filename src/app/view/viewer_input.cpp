@@ -245,7 +245,7 @@ void Viewer::select(std::size_t document, int side, std::uint32_t object) {
   if (made == nullptr) return;
   const std::vector<gpu::Object>& objects = made->scene().objects;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
-    if (objects[i].instance == object) state_.selection = Selection{document, side, i};
+    if (objects[i].owner == object) state_.selection = Selection{document, side, i};
   if (!state_.selection)
     failures_.emplace_back(ErrorCode::kUsage, fmt::format("--select {}: there is no such object", object),
                            documents_[document]->file());

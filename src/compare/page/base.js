@@ -1,4 +1,5 @@
-// Data of the report, elements, numbers, colours, tables. Names come from users: they enter as text, never as markup.
+// Parts that all sections share: data, elements, numbers, colours, tables.
+// Names are user input: they are inserted as text, never as markup.
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const summary = data.summary;
@@ -37,7 +38,7 @@ function speak(text) {
   byId('spoken').textContent = text;
 }
 
-/// Radio buttons that look like keys; the arrows of the keyboard choose among them.
+/// Radio buttons, shown as a row of buttons; the arrow keys move among them.
 function choice(id, label, options, value, onChange) {
   const inputs = new Map();
   const node = element('div', { class: 'choice', role: 'radiogroup', 'aria-label': label },
@@ -76,6 +77,7 @@ function ratio(v) {
   if (v == null) return NONE;
   return v !== 0 && v < 0.0995 ? v.toPrecision(2) : v >= 9.995 ? threeDigits(v) : v.toFixed(2);
 }
+const percent = (v) => (v == null ? NONE : `${(100 * v).toFixed(v < 0.0995 ? 1 : 0)} %`);
 function small(v) {
   if (v == null) return NONE;
   return v === 0 ? '0' : v < 0.00005 ? '<0.0001' : v.toFixed(4);
@@ -86,7 +88,7 @@ const range = (spread, format) => `${format(spread.q1)}\u2013${format(spread.q3)
 
 // Colours and marks --------------------------------------------------------
 
-// Outlines in a box of 20 x 20; the same in legends, tables and charts.
+// Outlines of the marks in a box of 20 x 20, for legends, tables and charts.
 const SYMBOLS = [
   'M10,2A8,8,0,1,1,9.99,2Z',
   'M3,3H17V17H3Z',
@@ -101,7 +103,7 @@ const DASHES = [[], [], [7, 3], [2, 2.5], [10, 3, 2, 3], [12, 4], [4, 2], [7, 2,
 const COLORS = 8;
 const TICK_LABEL = 11;
 
-/// Place in the lists above: the baseline has the first, the others share the rest.
+/// Index into the lists above: the baseline has the first entry, the other configurations share the rest.
 function styleOf(index) {
   if (index === baseline) return 0;
   const place = index < baseline ? index : index - 1;
@@ -133,7 +135,7 @@ function owner(index) {
 
 const overflowing = new ResizeObserver((entries) => {
   for (const { target } of entries) {
-    // A box that scrolls must be reachable by keyboard; one that does not is a useless stop.
+    // A box that scrolls must be reachable by keyboard; other boxes need no tab stop.
     if (target.scrollWidth > target.clientWidth + 1) target.setAttribute('tabindex', '0');
     else target.removeAttribute('tabindex');
   }
@@ -170,7 +172,7 @@ function cell(column, index, marks) {
     note ? element('small', null, note) : null);
 }
 
-/// Rows with the best value of a column; none where all are the same to the shown digits.
+/// Rows with the best value of a column; empty if all shown values are the same.
 function best(column, rows) {
   if (!column.better || rows.length < 2) return new Set();
   const known = rows.filter((index) => column.key(index) != null && !Number.isNaN(column.key(index)));

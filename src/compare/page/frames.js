@@ -1,111 +1,6 @@
-// Charts, and the curves over the frames.
+// The chart over the frames of the path.
 
-// Charts -------------------------------------------------------------------
-
-const charts = {};
-const hidden = new Set();
-const state = { quantity: 'triangles', scale: 'linear', axis: 'triangles' };
-const redraw = [];  // of every chart, on another theme or legend
-
-function legend(shown) {
-  const node = element('div', { class: 'legend', role: 'group', 'aria-label': 'Configurations shown' });
-  for (const index of shown) {
-    const button = element('button', { type: 'button', 'aria-pressed': 'true', click: () => {
-      if (!hidden.delete(index)) hidden.add(index);
-      redraw.forEach((draw) => draw());
-    } }, swatch(index), element('span', null, configurations[index].name));
-    redraw.push(() => button.setAttribute('aria-pressed', String(!hidden.has(index))));
-    node.append(button);
-  }
-  return node;
-}
-
-function createChart(id, node, option) {
-  const chart = chartsLibrary.init(node, null, { renderer: 'canvas' });
-  charts[id] = chart;
-  const draw = () => chart.setOption(option(), { notMerge: true });
-  redraw.push(draw);
-  let width = node.clientWidth;
-  new ResizeObserver(() => {
-    if (node.clientWidth === 0) return;
-    chart.resize();
-    if (node.clientWidth !== width) draw();  // ticks follow the room
-    width = node.clientWidth;
-  }).observe(node);
-  draw();
-  return chart;
-}
-
-function chartColors() {
-  const names = ['ink', 'muted', 'rule', 'edge', 'paper', 'accent', 'raised'];
-  return Object.fromEntries(names.map((name) => [name, variable(`--${name}`)]));
-}
-
-const axisStyle = (t) => ({
-  axisLine: { show: true, lineStyle: { color: t.edge } },
-  axisTick: { show: true, lineStyle: { color: t.edge } },
-  axisLabel: { color: t.muted, fontSize: TICK_LABEL, hideOverlap: true },
-  splitLine: { lineStyle: { color: t.rule, width: 1 } },
-  nameTextStyle: { color: t.muted, fontSize: 12 },
-});
-
-const tooltipStyle = (t) => ({
-  confine: true, backgroundColor: t.paper, borderColor: t.edge, borderWidth: 1, padding: [6, 9],
-  transitionDuration: 0, textStyle: { color: t.ink },
-  extraCssText: 'box-shadow: 0 2px 8px #0004; border-radius: 4px;',
-});
-
-/// The library's logarithmic axes end at powers of ten; these end where the data does: a linear axis of logarithms.
-function logAxis(values, room, format) {
-  const positive = values.filter((v) => v > 0);
-  if (positive.length === 0) return {};
-  let low = Math.log10(positive.reduce((a, b) => Math.min(a, b)));
-  let high = Math.log10(positive.reduce((a, b) => Math.max(a, b)));
-  const margin = Math.max(0.04 * (high - low), 0.02);
-  [low, high] = [low - margin, high + margin];
-  const densities = [
-    [1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9], [1, 1.5, 2, 3, 4, 5, 7], [1, 2, 5], [1, 3], [1],
-  ];
-  let ticks = [];
-  for (const steps of densities) {
-    ticks = [];
-    for (let power = Math.floor(low); power <= high; ++power)
-      for (const step of steps) ticks.push(power + Math.log10(step));
-    ticks = ticks.filter((tick) => tick >= low && tick <= high);
-    if (ticks.length <= room) break;
-  }
-  if (ticks.length > room) ticks = ticks.filter((_, i) => i % Math.ceil(ticks.length / room) === 0);
-  return {
-    min: low, max: high, axisTick: { customValues: ticks },
-    axisLabel: { customValues: ticks, formatter: (v) => format(Number((10 ** v).toPrecision(3))) },
-  };
-}
-/// Of round numbers on axes.
-const countTick = (v) => count(v).replace(/\.0+(?=\u202f)|(\.\d*[1-9])0+(?=\u202f)/, '$1');
-const brief = (v) => String(Number(v.toPrecision(2)));
-
-/// Merges options of an axis one level deep.
-function axis(...parts) {
-  const result = {};
-  for (const part of parts) {
-    for (const [key, value] of Object.entries(part)) {
-      const nested = value && typeof value === 'object' && !Array.isArray(value);
-      result[key] = nested ? { ...result[key], ...value } : value;
-    }
-  }
-  return result;
-}
-
-function tip(title, rows) {
-  const table = element('table');
-  for (const [index, ...texts] of rows) {
-    const cells = texts.map((text) => element('td', null, text));
-    table.append(element('tr', null, element('td', null, swatch(index)), cells));
-  }
-  return element('div', { class: 'tip' }, element('b', null, title), rows.length ? table : null);
-}
-
-// Over the frames ----------------------------------------------------------
+// Along the path -----------------------------------------------------------
 
 const ALL_SCALES = ['linear', 'log', 'ratio'];
 const digits = (v) => String(Number(v.toFixed(5)));
@@ -113,15 +8,15 @@ const digits = (v) => String(Number(v.toFixed(5)));
 const QUANTITIES = [
   ['triangles', 'triangles', 'triangles per frame', count, countTick, ALL_SCALES],
   ['frame_ms', timeName, `${timeName}, ms`, milliseconds, brief, ALL_SCALES],
-  ['flip', 'FLIP', 'FLIP, mean of the frame', small, brief, ['linear', 'log']],
+  ['flip', 'FLIP', 'FLIP, mean over the frame', small, brief, ['linear', 'log']],
   ['psnr', 'PSNR', 'PSNR, dB', decibel, digits, ['linear'], true],
   ['ssim', 'SSIM', 'SSIM', small, digits, ['linear'], true],
   ['drawn', 'drawn objects', 'objects drawn', count, countTick, ALL_SCALES],
   ['culled_frustum', 'outside the frustum', 'objects outside the frustum', count, countTick, ['linear']],
   ['culled_occlusion', 'culled by occlusion', 'objects culled by occlusion', count, countTick, ['linear']],
   ['draws', 'draws', 'draw commands', count, countTick, ALL_SCALES],
-  ['switches', 'switches', 'level switches per visible object', small, brief, ['linear']],
-  ['temporal_flip', 'temporal FLIP', 'temporal FLIP, mean of the frame', small, brief, ['linear', 'log']],
+  ['switches', 'switches', 'LOD switches per visible object', small, brief, ['linear']],
+  ['temporal_flip', 'temporal FLIP', 'temporal FLIP, mean over the frame', small, brief, ['linear', 'log']],
 ].map(([key, label, long, format, tick, scales, floating]) => ({ key, label, long, format, tick, scales, floating }))
   .filter(({ key }) => series.some((s) => s[key]?.some((v) => v != null)));
 const quantityOf = (key) => QUANTITIES.find((q) => q.key === key);
@@ -131,7 +26,7 @@ function valueAt(index, key, frame) {
   return s.at.has(frame) ? s[key]?.[s.at.get(frame)] ?? null : null;
 }
 
-/// What the chart shows of one configuration at one frame, before the logarithm.
+/// The value that the chart shows of one configuration at one frame, before the logarithm.
 function shownAt(index, frame) {
   const v = valueAt(index, state.quantity, frame);
   if (state.scale !== 'ratio' || v == null) return v;
@@ -156,7 +51,7 @@ function framesOption(node, window_) {
   const stride = Math.max(1, Math.round(allFrames.length / 12));
   const lines = shown.map((index, k) => {
     const color = variable(`--series-${styleOf(index)}`);
-    // Few and staggered: they tell the lines apart, not the frames.
+    // A few marks per line, staggered, so that the lines can be told apart.
     const offset = Math.floor((stride * k) / shown.length);
     const single = values.get(index).length < 3;
     return {
@@ -170,9 +65,9 @@ function framesOption(node, window_) {
   });
   const selected = {};
   shown.forEach((index) => { selected[`c${index}`] = !hidden.has(index); });
-  // A finger on the chart scrolls the page.
+  // On touch screens, dragging scrolls the page.
   const coarse = window.matchMedia('(pointer: coarse)').matches;
-  // Where it would cover the chart, it hangs below it.
+  // On narrow screens the tooltip would cover the chart: it is placed below.
   const place = node.clientWidth < 640 ? { confine: false, position: () => [0, node.clientHeight - 4] } : {};
   return {
     animation: false,
@@ -208,7 +103,7 @@ function framesOption(node, window_) {
   };
 }
 
-/// Frames with pictures: lines and marks at the foot; the one in the viewer is heavier.
+/// Marks the frames with pictures by lines and triangles at the foot; the frame in the viewer has a larger triangle.
 function keptMarks(t) {
   const isCurrent = (frame) => frame === (viewer?.frame ?? kept[0].frame);
   const color = (frame) => (isCurrent(frame) ? t.accent : t.muted);
@@ -255,17 +150,17 @@ function framesSection() {
   const several = allFrames.length > 1 && QUANTITIES.length > 0;
   if (!several) {
     section.append(element('p', null,
-      measured ? 'One frame was measured: the table above says all about it.' : 'Nothing has been measured yet.'));
+      measured ? 'Only one frame was measured; the table above holds its figures.' : 'Nothing has been measured yet.'));
   }
   if (!chartsLibrary && (several || sweep)) {
     section.append(element('p', null,
-      'The charts are missing because the program was built without the charts library; '
-      + 'the values of each frame are in frames.csv.'));
+      'The program was built without the charts library, so this report has no charts. '
+      + 'frames.csv holds the values of each frame.'));
   }
   if (!several || !chartsLibrary) return;
   state.quantity = QUANTITIES[0].key;
   const medians = configurations.map((c) => c.triangles?.median).filter((v) => v > 0);
-  // One that draws everything would press the others onto the axis.
+  // On a linear scale, a configuration that draws everything would press the others onto the axis.
   if (Math.max(...medians) > 10 * Math.min(...medians)) state.scale = 'log';
   const scales = choice('scale', 'scale',
     [['linear', 'linear'], ['log', 'logarithmic'], ['ratio', 'ratio to the baseline']],
@@ -281,10 +176,10 @@ function framesSection() {
   section.append(element('div', { class: 'controls' }, quantities.node, scales.node),
     element('figure', { class: 'chart' }, legend(configurations.map((_, i) => i)), plot, caption));
   const keys = element('p', { class: 'unseen', id: 'frames-keys' },
-    `Left and right move from frame to frame, plus and minus zoom, 0 shows all${
-      kept.length ? ', Enter shows the nearest pictures' : ''}.`);
+    `Left and right move from frame to frame. Plus and minus zoom; 0 shows all frames.${
+      kept.length ? ' Enter shows the nearest pictures.' : ''}`);
   section.append(keys);
-  // The library swallows every turn of the wheel, even those it does not zoom by; these belong to the page.
+  // The library handles every wheel event, even without Ctrl, when it does not zoom; these must scroll the page.
   const spare = (event) => event.ctrlKey || event.stopPropagation();
   for (const type of ['wheel', 'mousewheel']) plot.addEventListener(type, spare, { capture: true, passive: true });
   let window_ = { start: 0, end: 100 };
@@ -299,11 +194,11 @@ function framesSection() {
     scales.allow(allowed());
     const quantity = quantityOf(state.quantity);
     const long = capital(quantity.long);
-    const over = state.scale === 'ratio' ? `, over that of ${base.name} in the same frame` : '';
+    const over = state.scale === 'ratio' ? `, as a ratio to ${base.name} in the same frame` : '';
     caption.textContent = `${long}${over}. `;
-    if (quantity.key === 'psnr') caption.append('Gaps: the picture equals the reference. ');
-    hints.textContent = `${kept.length ? 'Marks at the foot: frames with pictures; a click shows the nearest. ' : ''}`
-      + 'Ctrl and the wheel zoom, the slider too; with the keyboard: arrows, + and \u2212.';
+    if (quantity.key === 'psnr') caption.append('Gaps: frames whose picture equals the reference. ');
+    hints.textContent = `${kept.length ? 'Arrows on the axis mark frames with pictures; click for the nearest. ' : ''}`
+      + 'Zoom with Ctrl and the wheel, with the slider, or with + and \u2212; the arrow keys move along the path.';
     caption.append(hints);
     plot.setAttribute('aria-label', `Chart over the frames: ${quantity.long}`);
     redraw.forEach((again) => again());
@@ -322,7 +217,7 @@ function framesSection() {
   section.querySelector('figure').after(jumps);
 }
 
-/// What a mouse does on the chart over the frames, by keyboard.
+/// Keyboard control of the chart over the frames.
 function frameKeys(plot, chart, currentWindow) {
   let at = -1;
   const visible = () => configurations.map((_, i) => i).filter((i) => !hidden.has(i));
@@ -356,13 +251,4 @@ function frameKeys(plot, chart, currentWindow) {
   };
   listenForKeys(plot, actions);
   plot.addEventListener('blur', () => chart.dispatchAction({ type: 'hideTip' }));
-}
-
-/// @param actions  by key; one that returns false leaves the key to the browser
-function listenForKeys(node, actions) {
-  node.addEventListener('keydown', (event) => {
-    if (event.target !== node || event.ctrlKey || event.metaKey || event.altKey
-      || !Object.hasOwn(actions, event.key)) return;
-    if (actions[event.key](event) !== false) event.preventDefault();
-  });
 }

@@ -1,61 +1,66 @@
-// What was measured; the theme; what tests may ask.
+// How it was measured; the theme; the start of the page; the state that tests read.
 
-// What was measured --------------------------------------------------------
+// How it was measured ------------------------------------------------------
 
-const WALL_TIME = 'Wall time between two glFinish around each pass, because timer queries are wrong on software '
-  + 'renderers; the frame time is their sum. Absolute times mean nothing here, and do not carry over to a GPU; '
-  + 'ratios on the same machine do mean something.';
-const GPU_TIME = 'Timestamps on the GPU around each pass; the frame time is their sum. What the CPU does besides is '
-  + 'not in it.';
+const WALL_TIME = 'Each pass is timed by wall time between two glFinish, because timer queries are wrong on software '
+  + 'renderers. The frame time is the sum over the passes. Compare times only as ratios on this machine: absolute '
+  + 'times of a software renderer do not carry over to a GPU.';
+const GPU_TIME = 'Each pass is timed by GPU timestamps. The frame time is the sum over the passes; it does not '
+  + 'contain time that only the CPU spends.';
 const REFERENCES = {
-  none: 'None: nothing was drawn, only the passes that decide what to draw were run. Times are theirs, and there is '
-    + 'no error.',
-  lod0: 'Every object at its finest level, culled in two phases, which loses no pixel.',
-  full: 'Every object at its finest level, nothing culled.',
+  none: 'No reference. Only the passes that decide what to draw were run and timed; there are no pictures and no '
+    + 'errors.',
+  lod0: 'Every object at its finest level, with two-phase culling, which never culls a visible pixel.',
+  full: 'Every object at its finest level, without culling.',
 };
 
 function explanations() {
   const { step, lead } = frames;
   const gaps = step > 1
-    ? ` Every ${step}th frame was measured; ${lead} frames before it were run unmeasured, so that history is as on `
-      + 'the full path.' : '';
+    ? ` Every ${step}th frame was measured. ${lead} frames before each of them were rendered without being measured, `
+      + 'so that the history is as on the whole path.' : '';
   const planned = frames.kept?.length ?? 0;
-  const spread = planned > 1 ? ` ${planned} frames, evenly spread, are kept: their pictures are on this page.` : '';
+  const spread = planned > 1 ? ` The pictures of ${planned} frames, evenly spread, were kept for this page.` : '';
   const pairs = [
     ['Configuration', 'One way to render the scene: how objects are culled, how levels of detail are chosen, and '
-      + 'with which parameters. The options below each name are those of jalousie render.'],
-    ['Frames', 'All configurations run in one process, interleaved: each frame of the path is rendered by all of '
-      + `them before the next one, and another one goes first each time. A frame of warm-up is not counted.${gaps}`
-      + spread],
-    ['Median, quartiles, ratio', 'Half of the frames lie below the median, and half between the quartiles. A ratio '
-      + 'is formed in each frame, with the baseline in the same frame; its median and quartiles are shown. Quartiles '
-      + 'on both sides of 1 mean: no clear difference.'],
+      + 'with which parameters. The options below each name are options of jalousie render.'],
+    ['Frames', 'All configurations run in one process. Each frame of the path is rendered by all configurations before '
+      + 'the next frame; the first configuration changes from frame to frame. One warm-up frame of each configuration '
+      + `is not measured.${gaps}${spread}`],
+    ['Median, quartiles, ratio', 'Half of the frames lie below the median; half lie between the quartiles. A ratio '
+      + 'compares a configuration with the baseline in the same frame; the table shows the median and quartiles of '
+      + 'these ratios. If the quartiles lie on both sides of 1, there is no clear difference.'],
     [capital(timeName), summary.timing === 'gpu' ? GPU_TIME : WALL_TIME],
     ['Reference', REFERENCES[summary.reference] ?? 'Unknown.'],
   ];
   if (summary.reference !== 'none') pairs.push(...errorExplanations());
   if (sweep) {
-    pairs.push(['Sweep', 'The error budget \u03c4 is varied on the kept frames. Between measured points, values are '
-      + 'interpolated linearly between logarithms of triangles and FLIP; outside of them nothing is claimed.']);
+    pairs.push(['Sweep', 'The kept frames were rendered with several values of the error budget \u03c4, in pixels. '
+      + 'Between measured points, values are interpolated linearly between logarithms of triangles and FLIP. Nothing '
+      + 'is extrapolated.']);
   }
-  pairs.push(['Files beside', 'frames.csv has every value of each frame, summary.json the figures of this page.']);
+  pairs.push(['Other files', 'frames.csv holds every value of each frame, summary.json the figures of this page.']);
   return pairs;
 }
 
 function errorExplanations() {
   return [
-    ['PSNR, SSIM', 'PSNR over the three channels, in decibels; its mean is that of the squared errors. SSIM over '
-      + 'windows of 8\u00d78 pixels, mean of red, green and blue. \u201cEqual\u201d and 1: no difference.'],
-    ['FLIP', 'LDR-FLIP (Andersson et al. 2020) predicts how large a difference appears when two pictures are flipped '
-      + `in place, at ${ratio(summary.pixels_per_degree)} pixels per degree of vision. Each pixel has an error `
-      + 'between 0 and 1; the figure is the mean of the error map.'],
-    ['Popping', 'Switches: of the objects that show at least one pixel, the share that has another level than in the '
-      + 'frame before. Frozen: the camera stands still while the state advances by one frame; what changes then is '
-      + 'level switches alone, given as FLIP of the pixel that changes most and as mean. Temporal FLIP: mean of '
-      + '|FLIP(I\u2096, I\u2096\u208b\u2081) \u2212 FLIP(R\u2096, R\u2096\u208b\u2081)| over the pixels, with I the '
-      + 'picture and R the reference: change that the reference does not have, and change that it has and the '
-      + 'picture lacks. Frozen is of the kept frames; temporal FLIP of the whole path where no frame of it is left '
-      + 'out, else of the kept frames too.'],
+    ['PSNR', 'Peak signal-to-noise ratio over red, green and blue, in decibels. Its mean over frames is the PSNR of '
+      + 'the mean squared error. \u201cEqual\u201d: the pictures do not differ.'],
+    ['SSIM', 'Structural similarity (Wang et al. 2004) in windows of 8\u00d78 pixels, mean of red, green and blue. 1: '
+      + 'the pictures do not differ.'],
+    ['FLIP', 'LDR-FLIP (Andersson et al. 2020) predicts the difference that a viewer sees when two pictures alternate '
+      + `in place, at ${ratio(summary.pixels_per_degree)} pixels per degree of visual angle. Each pixel has an error `
+      + 'between 0 and 1; the figure is the mean of this error map.'],
+    ['Popping: switches', 'Of the objects with at least one visible pixel, the share that has another level than in '
+      + 'the frame before.'],
+    ['Popping: frozen', 'The camera is frozen while the renderer advances by one frame. The two pictures differ only '
+      + 'by LOD switches. The table gives the FLIP of the pixel that changes most, with the mean below. Measured at '
+      + 'the kept frames.'],
+    ['Popping: temporal', 'Temporal FLIP is the mean of |FLIP(I\u2096, I\u2096\u208b\u2081) \u2212 FLIP(R\u2096, '
+      + 'R\u2096\u208b\u2081)| over the pixels, with I the picture and R the reference. It counts change that the '
+      + 'reference does not have, and change of the reference that the picture does not have. Measured at all frames '
+      + 'if none is left out, otherwise at the kept frames.'],
   ];
 }
 
@@ -72,10 +77,10 @@ function methodSection() {
     speak(button.textContent);
     setTimeout(() => { button.textContent = 'Copy'; }, 1500);
   } }, 'Copy');
-  section.append(element('h3', null, 'To repeat it'), element('div', { class: 'command' }, pre, button));
+  section.append(element('h3', null, 'Command'), element('div', { class: 'command' }, pre, button));
 }
 
-/// Some browsers give file: pages no clipboard; then the text is at least selected.
+/// Some browsers do not let file: pages use the clipboard; the text is then selected and copied by the old command.
 async function copy(text, node) {
   try {
     await navigator.clipboard.writeText(text);
@@ -110,7 +115,7 @@ function themes() {
   });
   window.addEventListener('beforeprint', () => {
     setTheme('light');
-    // Canvases do not follow the paper by themselves, and there is no next frame in which they would be drawn.
+    // Canvases do not adapt to the paper's width by themselves, and no animation frame follows that would draw them.
     for (const chart of Object.values(charts)) {
       chart.resize({ width: Math.min(chart.getWidth(), PAPER_WIDTH) });
       chart.getZr().flush();
@@ -128,7 +133,7 @@ document.documentElement.style.setProperty('--longest', `${longest}ch`);
 head();
 themes();
 results();
-picturesSection();  // first: the chart over the frames marks the viewer's frame
+picturesSection();  // before the chart over the frames, which marks the viewer's frame
 framesSection();
 sweepSection();
 passesSection();

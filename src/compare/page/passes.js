@@ -1,8 +1,8 @@
-// Where time and objects go.
+// Passes and levels: bars of the time per pass and of the objects per level.
 
-// Where time and objects go ------------------------------------------------
+// Passes and levels --------------------------------------------------------
 
-// Drawing in blue, all that decides what to draw in earth colours; [fill, text].
+// [fill, text]. Drawing passes are blue; passes that decide what to draw are brown and grey.
 const DRAWING = [['#1d5788', '#fff'], ['#4b8fc6', '#000'], ['#93c1e4', '#000'], ['#c9e0f2', '#000']];
 const DECIDING = [
   ['#8a4a12', '#fff'], ['#cf8a3a', '#000'], ['#e9bd78', '#000'], ['#f5e0ba', '#000'], ['#5f5f5c', '#fff'],
@@ -48,7 +48,7 @@ function barChart(rows, parts, format, kind) {
   }));
 }
 
-/// A bar chart and its numbers, which print and screen readers need.
+/// A bar chart, and its numbers as a table for print and screen readers.
 function barFigure(title, chart, caption, columns, rows, unit) {
   return [element('h3', null, title),
     element('figure', { class: 'chart' }, chart, element('figcaption', { class: 'numbered' }, caption)),
@@ -68,8 +68,8 @@ function passBars(section, rows) {
   const parts = (i) => Object.entries(times(i)).map(([text, value]) => ({ text, value, color: colors.get(text) }));
   const columns = [...colors.keys()].map((pass) => ({ head: pass, cell: (i) => milliseconds(times(i)[pass]) }));
   section.append(...barFigure('Time per pass', [key, barChart(rows, parts, (v) => `${milliseconds(v)} ms`, '')],
-    'Median time of each pass, times the share of frames in which it ran. Blue: drawing; earth colours: deciding '
-    + 'what to draw. The sum may differ from the median frame time.', columns, rows, 'Milliseconds per frame.'));
+    'Median time of each pass, times the share of frames in which it ran. Blue passes draw; brown and grey passes '
+    + 'decide what to draw. The sum can differ from the median frame time.', columns, rows, 'Milliseconds per frame.'));
 }
 
 function levelBars(section, rows) {
@@ -77,7 +77,7 @@ function levelBars(section, rows) {
   const most = Math.max(0, ...rows.map((i) => levels(i).length));
   if (!rows.some((i) => sum(levels(i)) > 0)) return;
   const mix = (a, b, t) => Math.round(a + (b - a) * t);
-  // From the dark blue of the LOD map to its light one.
+  // The same dark and light blue as in the LOD map.
   const color = (k) => {
     const t = most > 1 ? k / (most - 1) : 0;
     return [`rgb(${mix(16, 205, t)} ${mix(39, 238, t)} ${mix(160, 255, t)})`, t < 0.55 ? '#fff' : '#000'];
@@ -85,11 +85,11 @@ function levelBars(section, rows) {
   const parts = (i) => levels(i).map((value, k) => ({ text: String(k), value, color: color(k) }));
   const columns = Array.from({ length: most }, (_, k) => ({ head: String(k), cell: (i) => count(levels(i)[k]) }));
   const patches = configurations.some((c) => /tessellation/.test(c.options ?? ''))
-    ? '; with tessellation, levels count up from the coarsest' : '';
+    ? '. With tessellation, level 0 is the coarsest' : '';
   const chart = barChart(rows, parts, (v) => `${count(v)} objects`, 'levels');
   section.append(...barFigure('Objects per level of detail', chart,
-    `Drawn objects by level, means over the frames; level 0, dark, is the finest${patches}.`,
-    columns, rows, 'Drawn objects, means over the frames; columns are levels.'));
+    `Mean number of drawn objects per level. Level 0 (dark) is the finest${patches}.`,
+    columns, rows, 'Mean number of drawn objects. The columns are levels.'));
 }
 
 function passesSection() {

@@ -1,4 +1,4 @@
-// Pictures to slide between, to flicker and to zoom into.
+// The picture viewer: two pictures behind a movable split or in turn, with zoom.
 
 // Pictures -----------------------------------------------------------------
 
@@ -6,7 +6,7 @@ const REFERENCE = '-1';
 const LAYERS = [['image', 'picture'], ['error', 'error map'], ['lod', 'LOD map']];
 const MOST_RADIOS = 12;
 const LARGEST_ZOOM = 4;
-// Swaps a second: half of what three flashes a second would be.
+// Swaps per second. Two swaps are one flash; more than three flashes per second can cause seizures.
 const FASTEST = 3;
 const layerText = (key) => LAYERS.find(([layer]) => layer === key)[1];
 const clamp = (v, low, high) => Math.max(low, Math.min(high, v));
@@ -41,7 +41,7 @@ class Viewer {
         this.layerControl(), this.zoomControl(), this.modeControl(), this.flickerControl()),
       element('figure', { class: 'viewer' }, this.easel, this.scales, this.note),
       element('p', { class: 'unseen', id: 'stage-keys' },
-        'Arrow keys move the split, or the zoomed picture; plus and minus zoom; space swaps in flicker mode.'));
+        'Arrow keys move the split or the zoomed picture. Plus and minus zoom. Space swaps in flicker mode.'));
     this.listenToPointer();
     this.listenToKeys();
     this.draw();
@@ -59,7 +59,7 @@ class Viewer {
     };
   }
 
-  // What is shown
+  // Display
 
   buildStage() {
     this.sides = {};
@@ -79,13 +79,13 @@ class Viewer {
     this.stage.style.aspectRatio = `${summary.width} / ${summary.height}`;
     const tags = element('div', { class: 'tags' }, left.tag, right.tag);
     this.easel = element('div', { class: 'easel' }, tags, this.stage);
-    // Picture and controls fit into the window together.
+    // Picture and controls should fit into the window together.
     this.easel.style.maxWidth = `min(100%, ${((70 * summary.width) / summary.height).toFixed(2)}vh)`;
     this.scales = element('div', { class: 'scales' });
     this.note = element('figcaption', { class: 'numbered' });
   }
 
-  /// The reference has neither error nor levels: it is shown itself.
+  /// The reference has no error map and no LOD map: its picture is shown instead.
   picture(side) {
     const shot = kept[this.at];
     if (this[side] === REFERENCE) return { name: 'reference', uri: shot.reference, layer: 'image' };
@@ -109,7 +109,7 @@ class Viewer {
     image.alt = `${shown.name}, frame ${this.frame}, ${layerText(shown.layer)}`;
     image.hidden = !shown.uri;
     missing.hidden = Boolean(shown.uri);
-    missing.textContent = `no ${layerText(this.layer)} of ${shown.name} was kept`;
+    missing.textContent = `The report has no ${layerText(this.layer)} of ${shown.name}.`;
     image.style.transform = `translate(${this.pan.map((p) => `${p * 100}%`)}) scale(${this.zoom})`;
     const figures = shown.index == null ? '' : this.figures(shown.index);
     tag.replaceChildren(this.layer === 'image' ? shown.name : `${shown.name}: ${layerText(shown.layer)}`,
@@ -136,9 +136,9 @@ class Viewer {
     this.handle.setAttribute('aria-valuetext', `${this.split.toFixed(0)} % left`);
     this.flickerControls.hidden = !flicker;
     this.scales.replaceChildren(...this.ramps());
-    let hint = 'Drag the handle, or use the arrow keys, to move the split.';
-    if (this.zoom > 1) hint = 'Drag the picture, or use the arrow keys, to move it.';
-    if (flicker) hint = 'Space or a click on the picture swaps.';
+    let hint = 'Drag the handle or use the arrow keys to move the split.';
+    if (this.zoom > 1) hint = 'Drag the picture or use the arrow keys to move it.';
+    if (flicker) hint = 'Press space or click on the picture to swap.';
     const note = data.pictures_note ? `${data.pictures_note.replace(/\.$/, '')}. ` : '';
     this.note.replaceChildren(`Frame ${this.frame}. ${note}`, element('span', { class: 'hint' }, hint));
   }
@@ -147,10 +147,10 @@ class Viewer {
     if (this.layer === 'error') return [ramp('error', 'FLIP of a pixel', '0', '0.25', '0.5', '0.75', '1')];
     if (this.layer !== 'lod') return [];
     return [ramp('lod', 'level of an object', 'finest', 'coarsest'),
-      ramp('occluder', 'the same, of occluders of the map', 'finest', 'coarsest')];
+      ramp('occluder', 'level of an occluder', 'finest', 'coarsest')];
   }
 
-  // What changes it
+  // Changes of state
 
   goTo(index) {
     this.at = index;
@@ -159,7 +159,7 @@ class Viewer {
     charts.frames?.setOption({ series: [keptMarks(chartColors())] });
   }
 
-  /// The kept frame nearest to a frame, from elsewhere on the page.
+  /// Shows the kept frame nearest to a frame, and scrolls to it.
   show(frame) {
     const found = nearest(kept.map((k) => k.frame), frame);
     this.goTo(kept.findIndex((k) => k.frame === found));
@@ -177,7 +177,7 @@ class Viewer {
     this.draw();
   }
 
-  /// Keeps the middle of the picture where it is.
+  /// Zooms around the middle of the stage.
   zoomTo(zoom) {
     this.pan = this.pan.map((p) => 0.5 - ((0.5 - p) / this.zoom) * zoom);
     this.zoom = zoom;
@@ -288,7 +288,7 @@ class Viewer {
       const splits = this.mode === 'split' && (event.target === this.handle || this.zoom === 1);
       drag = { splits, x: event.clientX, y: event.clientY, moved: false };
       this.stage.setPointerCapture(event.pointerId);
-      // A finger may be about to scroll the page.
+      // A touch may be the start of scrolling.
       if (splits && event.pointerType === 'mouse') splitAt(event);
       this.stage.classList.toggle('panning', !splits && this.zoom > 1);
     });
@@ -334,7 +334,7 @@ class Viewer {
       '-': () => this.zoomTo(Math.max(1, this.zoom / 2)),
     });
     this.section.addEventListener('keydown', (event) => {
-      // On radio buttons and pictures the space bar has no other meaning.
+      // Radio buttons and the pictures do not use the space bar themselves.
       const free = event.target === this.stage || event.target.type === 'radio';
       if (event.key !== ' ' || this.mode !== 'flicker' || !free) return;
       event.preventDefault();

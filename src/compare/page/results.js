@@ -2,7 +2,7 @@
 
 // Head ---------------------------------------------------------------------
 
-// Without pictures nothing is drawn either.
+// Without pictures only the culling passes run.
 const timeName = summary.reference === 'none' ? 'culling time' : 'frame time';
 const capital = (text) => text[0].toUpperCase() + text.slice(1);
 const sceneName = String(summary.scene ?? 'scene').split(/[\\/]/).pop();
@@ -22,7 +22,7 @@ function head() {
     `${summary.width}\u00d7${summary.height}`,
     frameText(),
     summary.objects ? `${whole(summary.objects)} objects` : null,
-    summary.triangles_full ? `${count(summary.triangles_full)} triangles at full detail` : null,
+    summary.triangles_full ? `${count(summary.triangles_full)} triangles at the finest level` : null,
     summary.renderer,
     summary.timing === 'gpu' ? 'GPU timestamps' : 'wall time',
   ];
@@ -32,8 +32,8 @@ function head() {
   banner.hidden = false;
   const all = measured >= (frames.count ?? 0);
   const share = all ? 'all' : `${whole(measured)} of`;
-  banner.append(element('b', null, `Interrupted after ${share} ${whole(frames.count)} frames`),
-    `; ${all ? 'pictures or the sweep are incomplete, and ' : ''}figures are of what was measured.`);
+  banner.append(element('b', null, `Interrupted after ${share} ${whole(frames.count)} frames.`),
+    ` ${all ? 'Pictures or the sweep are incomplete.' : 'The figures cover the measured frames only.'}`);
 }
 
 function contents() {
@@ -45,7 +45,7 @@ function contents() {
 
 // Results ------------------------------------------------------------------
 
-/// The configuration to speak of: the fewest triangles, the baseline aside.
+/// The configuration that the first sentence is about: the one with the fewest triangles, other than the baseline.
 function candidate() {
   const others = configurations.map((_, i) => i).filter((i) => i !== baseline && configurations[i].frames > 0);
   if (others.length === 0) return baseline;
@@ -61,26 +61,26 @@ function leadSentence() {
   if (c === base) {
     const flip = meanFlip(c);
     return [named(c.name), ` draws ${count(c.triangles.median)} triangles${measured > 1 ? ' per frame' : ''}`,
-      summary.triangles_full ? ` of ${count(summary.triangles_full)} at full detail` : '',
-      flip == null ? '; pictures were not compared.' : `, at FLIP ${small(flip)}.`];
+      summary.triangles_full ? ` of ${count(summary.triangles_full)} at the finest level` : '',
+      flip == null ? '. Pictures were not compared.' : `, with a FLIP of ${small(flip)}.`];
   }
   const share = c.triangles_ratio.median;
   const parts = share < 0.995
-    ? [named(c.name), ` draws ${ratio(share)} of the triangles of `, named(base.name), ' (the baseline)']
-    : ['None draws fewer triangles than ', named(base.name), ' (the baseline); ', named(c.name),
-      ` comes closest with ${ratio(share)}`];
+    ? [named(c.name), ` draws ${percent(share)} of the triangles of `, named(base.name), ' (the baseline)']
+    : ['No configuration draws fewer triangles than ', named(base.name), ' (the baseline); ', named(c.name),
+      ` draws ${percent(share)} of them`];
   const time = c.frame_ratio;
   const differs = time.q3 < 1 || time.q1 > 1;
-  if (time.median > 0 && differs) parts.push(` in ${ratio(time.median)} of its ${timeName}`);
-  else if (time.median > 0) parts.push(` in about its ${timeName} (${ratio(time.median)})`);
+  if (time.median > 0 && differs) parts.push(` in ${percent(time.median)} of its ${timeName}`);
+  else if (time.median > 0) parts.push(`, with no clear difference in ${timeName} (median ${percent(time.median)})`);
   const [flip, baseFlip] = [meanFlip(c), meanFlip(base)];
-  if (flip == null) parts.push('; pictures were not compared.');
-  else if (small(flip) === small(baseFlip)) parts.push(`, at the same FLIP, ${small(flip)}.`);
-  else parts.push(`, at FLIP ${small(flip)}${baseFlip == null ? '' : ` against ${small(baseFlip)}`}.`);
+  if (flip == null) parts.push('. Pictures were not compared.');
+  else if (small(flip) === small(baseFlip)) parts.push(`, with the same FLIP (${small(flip)}).`);
+  else parts.push(`, with a FLIP of ${small(flip)}${baseFlip == null ? '' : ` instead of ${small(baseFlip)}`}.`);
   return parts;
 }
 
-/// What the sweep says in one sentence, at the middle budget that the baseline's curve reaches.
+/// The sweep's result in one sentence, at the first of three FLIP values that the baseline's curve reaches.
 function equalQuality() {
   const rows = sweep?.triangles_at_flip ?? [];
   const order = [1, 2, 0].map((i) => rows[i]).filter(Boolean);
@@ -89,14 +89,14 @@ function equalQuality() {
     const others = Object.entries(row.triangles).filter(([name, v]) => name !== base.name && v != null);
     if (own == null || own <= 0 || others.length === 0) continue;
     const [name, least] = others.reduce((a, b) => (b[1] < a[1] ? b : a));
-    const start = `At equal quality (FLIP ${row.flip}) `;
-    if (least >= own) return [start, 'none needs fewer triangles than ', named(base.name), '.'];
-    return [start, named(name), ` needs ${ratio(least / own)} of the triangles of `, named(base.name), '.'];
+    const start = `At a FLIP of ${row.flip}, `;
+    if (least >= own) return [start, 'no configuration needs fewer triangles than ', named(base.name), '.'];
+    return [start, named(name), ` needs ${percent(least / own)} of the triangles of `, named(base.name), '.'];
   }
   return null;
 }
 
-/// Columns of the table of results, in groups; those that nothing is known of are left out.
+/// Columns of the table of results, in groups. Columns without any value are left out.
 function resultColumns() {
   const of = (get) => (index) => (configurations[index].frames > 0 ? get(configurations[index]) : null);
   const spread = (group, head, key, format) => {
@@ -116,7 +116,7 @@ function resultColumns() {
     group, head, better: -1, key: of(get), cell: (i) => small(of(get)(i)), note: note ? of(note) : null,
   });
   const error = (head, measure, worst, sign, format, better) => {
-    // Equal pictures have no PSNR, and the best one.
+    // The PSNR of equal pictures is null; it counts as the best.
     const get = (key) => of((c) => (c.error ? c.error[measure][key] ?? Infinity : null));
     const text = (key) => (i) => (get(key)(i) === Infinity ? 'equal' : format(get(key)(i)));
     const [mean, extreme] = [text('mean'), text(worst)];
@@ -171,16 +171,17 @@ function results() {
   }
   const many = measured > 1;
   const compared = configurations.some((c) => c.error);
-  const text = [many ? `Medians over ${whole(measured)} frames, below them the quartiles.` : 'One frame.'];
+  const text = [many ? `Medians over ${whole(measured)} frames, with the quartiles below.` : 'One frame.'];
   if (rows.length > 1) {
     const where = many ? ' in the same frame' : '';
-    text.push(`Ratios are those to the baseline${where}; the best value of a column is marked.`);
+    text.push(`Ratios are to the baseline${where}. The best value of each column is marked.`);
   }
   text.push(compared
-    ? `Errors are means${many ? ', below them the worst frame' : ''}; smaller is better, except PSNR (dB) and SSIM.`
-    : 'Pictures were not compared: there is no error and no popping to show.');
+    ? `Errors are means${many ? ', with the worst frame below' : ''}. Smaller is better for FLIP, larger for PSNR (dB) `
+      + 'and SSIM.'
+    : 'Pictures were not compared, so the table has no errors and no popping.');
   if (columns.some((c) => c.group === 'Popping'))
-    text.push('Popping: level switches per visible object and frame; FLIP of the worst pixel when time stands still; '
-      + 'temporal FLIP.');
+    text.push('Popping: LOD switches per visible object and frame; FLIP of the worst pixel while the camera is frozen; '
+      + 'temporal FLIP. \u201cHow it was measured\u201d explains them.');
   byId('results').append(tableFigure('Results', text.join(' '), table));
 }

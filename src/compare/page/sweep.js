@@ -1,11 +1,11 @@
-// Error over cost.
+// Error over cost: the chart and the tables of the sweep.
 
-// Quality at equal cost ----------------------------------------------------
+// Error over cost ----------------------------------------------------------
 
 const curves = (sweep?.curves ?? []).filter((curve) => indexOf.has(curve.name))
   .map((curve) => ({ index: indexOf.get(curve.name), points: curve.points }));
 
-/// Points that nothing beats in both cost and FLIP.
+/// Points that no other point beats in both cost and FLIP.
 function front(cost) {
   if (cost === 'triangles') return sweep.pareto;
   const points = curves.flatMap((curve) => curve.points).filter((p) => p[cost] > 0)
@@ -19,7 +19,7 @@ function sweepOption(node) {
   const cost = state.axis;
   const all = curves.flatMap((curve) => curve.points);
   const positive = all.map((p) => p.flip).filter((v) => v > 0);
-  // Without any error there is no logarithm: such points lie on the foot of the chart.
+  // An error of 0 has no logarithm: such points are drawn at the foot of the chart.
   const foot = positive.length ? Math.min(...positive) / 2 : 1e-4;
   const flips = all.map((p) => Math.max(p.flip, foot));
   const place = (p) => [Math.log10(Math.max(p[cost], 1e-6)), Math.log10(Math.max(p.flip, foot))];
@@ -76,8 +76,8 @@ function sweepSection() {
     return;
   }
   section.append(element('p', null,
-    'Each configuration was run with several error budgets \u03c4; means over the kept frames. '
-    + 'Curves further down and to the left are better: less error for less work.'));
+    'Each configuration rendered the kept frames with several error budgets \u03c4 (in pixels). Each point is a mean '
+    + 'over these frames. Curves further down and to the left are better: they have less error for less work.'));
   if (chartsLibrary) {
     const costs = [['triangles', 'triangles'], ['frame_ms', 'frame time']];
     const axes = choice('axis', 'cost', costs, state.axis, (value) => {
@@ -92,15 +92,15 @@ function sweepSection() {
       const what = state.axis === 'triangles' ? 'triangles' : 'frame time';
       plot.setAttribute('aria-label', `Chart of the sweep: FLIP over ${what}`);
       text.textContent = `FLIP over ${what}, both logarithmic. `
-        + 'Band: the Pareto front, the points that no other beats in both. ';
+        + 'The wide band is the Pareto front: points that no other point beats in both. ';
       text.append(element('span', { class: 'hint' },
-        'Hover over a point, or use the arrow keys, for its \u03c4 and figures.'));
+        'Hover over a point or use the arrow keys to see its \u03c4 and figures.'));
     };
     caption();
     section.append(element('div', { class: 'controls' }, axes.node),
       element('figure', { class: 'chart' }, legend(curves.map(({ index }) => index)), plot, text),
       element('p', { class: 'unseen', id: 'sweep-keys' },
-        'Left and right move along a curve, up and down to another.'));
+        'Left and right move along a curve; up and down change to another curve.'));
     sweepKeys(plot, createChart('sweep', plot, () => sweepOption(plot)));
   }
   sweepTables(section);
@@ -141,7 +141,7 @@ function sweepTables(section) {
         note: (i) => (comparable(i) ? `\u00d7 ${ratio(at(i) / at(baseline))}` : null) };
     });
     pair.append(tableFigure('Triangles at equal FLIP',
-      `Triangles that a FLIP takes${rows.length > 1 ? '; below them the ratio to the baseline' : ''}.`,
+      `Triangles needed for a FLIP${rows.length > 1 ? ', with the ratio to the baseline below' : ''}.`,
       configurationTable(columns, rows), 'narrow'));
   }
   const equal = sweep.flip_at_triangles;
@@ -151,14 +151,14 @@ function sweepTables(section) {
       return { head: count(triangles), sub: `\u03c4 ${tau}`, better: -1, key: at, cell: (i) => small(at(i)) };
     });
     pair.append(tableFigure('FLIP at equal triangles',
-      element('span', null, 'FLIP at the triangles of ', named(equal.of), ', with \u03c4 as in the head.'),
+      element('span', null, 'FLIP at the triangle counts that ', named(equal.of), ' has at the \u03c4 in the head.'),
       configurationTable(columns, rows), 'narrow'));
   }
   const outside = configurations.map((_, i) => i).filter((i) => !rows.includes(i)).map(nameOf);
-  section.append(pair, element('p', null, `${NONE}: the curve does not reach there, and nothing is extrapolated. `
-    + 'Where even the coarsest point has a smaller FLIP, its triangles are given.'));
+  section.append(pair, element('p', null, `${NONE}: outside the measured range of the curve; nothing is extrapolated. `
+    + 'If the coarsest point already has a smaller FLIP, the table gives its triangles.'));
   if (outside.length) {
-    section.append(element('p', null, 'Without \u03c4, and so not in the sweep: ',
+    section.append(element('p', null, 'Not in the sweep, because they do not use \u03c4: ',
       outside.map((name, k) => [k > 0 ? ', ' : '', named(name)]), '.'));
   }
   const head = ['configuration', '\u03c4', 'triangles', 'frame time, ms', 'FLIP', 'PSNR, dB', 'SSIM']

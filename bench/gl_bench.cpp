@@ -1,0 +1,79 @@
+// Turns errors and wrong results into one line and an exit code.
+#include "gl_bench.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "bench_head.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "platform/headless_context.h"
+#include "render/frame_statistics.h"
+
+namespace jalousie::bench {
+namespace {
+
+class WrongResult : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace
+
+void require(bool right, const std::string& message) {
+  if (!right) throw WrongResult(message);
+}
+
+void requireCounts(const render::FrameStatistics& statistics, const std::string& where) {
+  const std::uint64_t culled = statistics.culledFrustum + statistics.culledOcclusion + statistics.culledSmall;
+  require(
+      culled + statistics.drawn == statistics.objects,
+      fmt::format("{}: {} objects drawn and {} culled, of {}", where, statistics.drawn, culled, statistics.objects));
+  const std::uint64_t levels =
+      std::accumulate(statistics.lodHistogram.begin(), statistics.lodHistogram.end(), std::uint64_t{0});
+  require(levels == statistics.drawn,
+          fmt::format("{}: {} objects have a level, but {} are drawn", where, levels, statistics.drawn));
+  require(statistics.dropped == 0, fmt::format("{}: {} objects found no room in a list", where, statistics.dropped));
+}
+
+GlBench::GlBench(const char* name, const char* description, const char* examples)
+    : name_(name), app_(description, name) {
+  app_.get_formatter()->column_width(32);
+  app_.add_option("--json", json_, "Write head and figures as JSON to this file")->type_name("FILE");
+  app_.footer(examples);
+}
+
+int GlBench::run(int argc, char** argv, const std::function<void(nlohmann::ordered_json& figures)>& body) {
+  try {
+    app_.parse(argc, argv);
+    const platform::HeadlessContext context(/*debug=*/false);
+    Head head = makeHead(name_, std::vector<std::string>(argv + 1, argv + argc));
+    head.renderer = context.capabilities().renderer;
+    head.version = context.capabilities().version;
+    fmt::print("{}\n", toText(head));
+    std::fflush(stdout);
+    nlohmann::ordered_json figures;
+    body(figures);
+    const nlohmann::ordered_json json = {{"head", toJson(head)}, {"figures", figures}};
+    if (!json_.empty())
+      writeFileAtomic(json_, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return 0;
+  } catch (const CLI::Success& answer) {
+    return app_.exit(answer);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "{}: {} (see {} --help)\n", name_, error.what(), name_);
+    return static_cast<int>(ErrorCode::kUsage);
+  } catch (const WrongResult& wrong) {
+    fmt::print(stderr, "{}: wrong result: {}\n", name_, wrong.what());
+    return kWrongResult;
+  } catch (const Error& error) {
+    fmt::print(stderr, "{}: {}\n", name_, error.what());
+    return error.exitCode();
+  }
+}
+
+}  // namespace jalousie::bench

@@ -1,0 +1,63 @@
+// Configurations and views that lv_bench measures, and its two measurements.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "core/image.h"
+#include "render/frame_renderer.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::bench {
+
+inline constexpr std::uint32_t kLvWidth = 1280;
+inline constexpr std::uint32_t kLvHeight = 720;
+
+/// A culling mode, a level rule and a visibility measure.
+struct LvConfiguration {
+  const char* name;
+  CullMode mode;
+  LodRule rule;
+  LvMeasure measure;
+};
+
+/// The baselines: levels by pixel error, with two-phase culling and with frustum culling.
+extern const LvConfiguration kUniform;
+extern const LvConfiguration kFrustum;
+extern const LvConfiguration kDefault;
+/// The method of the thesis as published.
+extern const LvConfiguration kThesis;
+/// The default's rule with every other visibility measure.
+extern const std::span<const LvConfiguration> kOtherMeasures;
+
+/// @param tau  pixels   @param calm  temporally stable levels
+render::FrameOptions optionsOf(const LvConfiguration& configuration, float tau, bool calm = false);
+/// Every object at its finest level. @param twoPhases  false: frustum culling
+render::FrameOptions finestOptions(bool twoPhases);
+
+/// A scene and one of its views.
+struct LvView {
+  const scene::SceneData& scene;
+  std::string sceneName;
+  std::string text;  ///< a frame of the scene's first camera path, or EYE:LOOK as X,Y,Z:X,Y,Z
+
+  /// Errors: kUsage if the scene has no camera path for a frame.
+  scene::Camera camera() const;
+};
+
+/// The picture after enough frames for the configuration's history to settle.
+ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOptions& options,
+                        const scene::Camera& camera);
+
+/// Triangles, image error and frame time at one camera, against both baselines. Prints a table and adds its rows.
+/// @param allMeasures  every visibility measure instead of times
+void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& figures);
+
+/// LOD switches on a path of 0.25 degrees per frame and under jitter, and the change that one switch makes. Prints a
+/// table and adds its rows. @param calmOnly  only temporally stable configurations
+void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figures);
+
+}  // namespace jalousie::bench

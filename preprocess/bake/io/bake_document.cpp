@@ -1,0 +1,267 @@
+// Mesh by mesh: read, clean, subdivide, simplify, measure, write back, link with MSFT_lod.
+#include "bake/io/bake_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "asset/accessor.h"
+#include "asset/lod_chain.h"
+#include "bake/io/gltf_mesh.h"
+#include "bake/io/lod_measures.h"
+#include "bake/mesh/bounds.h"
+#include "bake/mesh/clean.h"
+#include "bake/mesh/hard_edges.h"
+#include "bake/mesh/loose_parts.h"
+#include "bake/mesh/mesh_edges.h"
+#include "bake/mesh/subdivide.h"
+#include "bake/mesh/wedges.h"
+#include "bake/simplify/chain.h"
+#include "core/error.h"
+
+namespace jalousie::bake {
+namespace {
+
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
+/// Per node whether a chain that was there before lists it as a level.
+std::vector<bool> levelNodes(const tinygltf::Model& model) {
+  std::vector<bool> isLevel(model.nodes.size(), false);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    for (const int level : asset::lodNodes(model, static_cast<int>(n)))
+      isLevel[static_cast<std::size_t>(level)] = true;
+  return isLevel;
+}
+
+std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::vector<int>& nodes,
+                         const std::vector<bool>& isLevel) {
+  for (const int n : nodes) {
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(n)];
+    if (node.skin >= 0) return "it is skinned";
+    if (node.extensions.contains("MSFT_lod")) return "it has a chain already";
+    if (isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
+  }
+  for (const tinygltf::Primitive& primitive : mesh.primitives)
+    if (primitive.extensions.contains("KHR_draco_mesh_compression")) return "it is Draco-compressed";
+  return unbakeableReason(mesh);
+}
+
+/// The node of one level: same place, same instances, no children.
+int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int mesh, std::size_t lod) {
+  tinygltf::Node node;
+  node.name = fmt::format("{}_lod{}", source.name, lod);
+  node.mesh = mesh;
+  node.translation = source.translation;
+  node.rotation = source.rotation;
+  node.scale = source.scale;
+  node.matrix = source.matrix;
+  if (const auto found = source.extensions.find(kInstancing); found != source.extensions.end())
+    node.extensions[kInstancing] = found->second;
+  model.nodes.push_back(std::move(node));
+  return static_cast<int>(model.nodes.size()) - 1;
+}
+
+/// Where each node is moved: pairs of animation and channel, by node.
+using ChannelIndex = std::multimap<int, std::pair<std::size_t, std::size_t>>;
+
+ChannelIndex indexChannels(const tinygltf::Model& model) {
+  ChannelIndex index;
+  for (std::size_t a = 0; a < model.animations.size(); ++a)
+    for (std::size_t c = 0; c < model.animations[a].channels.size(); ++c)
+      if (model.animations[a].channels[c].target_path != "weights")
+        index.emplace(model.animations[a].channels[c].target_node, std::pair(a, c));
+  return index;
+}
+
+/// Levels move as LOD 0 does: every channel that moves its node moves theirs.
+void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int node, const std::vector<int>& levels) {
+  const auto [first, last] = channels.equal_range(node);
+  for (auto at = first; at != last; ++at) {
+    std::vector<tinygltf::AnimationChannel>& list = model.animations[at->second.first].channels;
+    for (const int level : levels) {
+      tinygltf::AnimationChannel copy = list[at->second.second];
+      copy.target_node = level;
+      list.push_back(std::move(copy));
+    }
+  }
+}
+
+/// What bakeDocument knows of the document as it was.
+struct Before {
+  std::vector<std::vector<int>> users;  ///< per mesh the nodes that use it
+  std::vector<bool> isLevel;            ///< per node
+  ChannelIndex channels;
+};
+
+void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<int>& nodes,
+               const std::vector<int>& levelMeshes, const std::vector<float>& coverage) {
+  if (levelMeshes.size() < 2) return;
+  for (const int n : nodes) {
+    const tinygltf::Node source = model.nodes[static_cast<std::size_t>(n)];
+    std::vector<int> lower;
+    for (std::size_t k = 1; k < levelMeshes.size(); ++k)
+      lower.push_back(appendLevelNode(model, source, levelMeshes[k], k));
+    asset::setLodChain(model, n, lower, coverage);
+    animateLevels(model, before.channels, n, lower);
+  }
+}
+
+/// Vertices of a mesh whose positions are NaN or infinite.
+std::uint64_t countNotFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits) {
+  std::set<int> accessors;  // primitives may share them
+  for (const tinygltf::Primitive& primitive : mesh.primitives)
+    if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
+      accessors.insert(found->second);
+  std::uint64_t count = 0;
+  for (const int accessor : accessors)
+    for (const glm::vec3& p : asset::readVec3(model, accessor, limits.maxAccessorElements))
+      count += std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? 0U : 1U;
+  return count;
+}
+
+using MeshProgress = std::function<void(const std::string&)>;
+
+MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
+  MeshFindings findings;
+  findings.cleaned = cleaned;
+  for (const PrimitiveData& primitive : mesh.primitives)
+    findings.repairedValues += primitive.repairedValues;
+  for (const MeshEdge& edge : findEdges(wedges).edges) {
+    findings.nonManifoldEdges += edge.kind == EdgeKind::kNonManifold ? 1U : 0U;
+    findings.openEdges += edge.kind == EdgeKind::kBorder ? 1U : 0U;
+  }
+  findings.looseParts = findLooseParts(wedges).parts.size();
+  return findings;
+}
+
+asset::LodInfo lodInfoOf(const LevelChain& chain, std::size_t k, double diagonal, float coverage) {
+  const ChainLevel& level = chain.levels[k];
+  asset::LodMeasures measures = lodMeasures(level.deviation);
+  measures.diagonal = diagonal;
+  measures.coverage = coverage;
+  if (k + 1 == chain.levels.size()) measures.stop = chain.stopReason;
+  return {static_cast<std::uint32_t>(k), level.mesh.triangles(), 0, level.errorMax, measures};
+}
+
+/// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const CombinedMesh& mesh,
+                             const LevelChain& chain, MeshReport& report) {
+  const tinygltf::Mesh source = model.meshes[index];
+  std::vector<int> levelMeshes;
+  for (std::size_t k = 0; k < chain.levels.size(); ++k) {
+    const WrittenMesh written = appendLevelMesh(model, source, combineWedges(chain.levels[k].mesh, mesh));
+    tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
+    if (k > 0) target.name = fmt::format("{}_lod{}", source.name, k);
+    target.extras = k == 0 ? source.extras : tinygltf::Value();
+    if (k == 0) target.extensions = source.extensions;
+    report.levels[k].vertices = written.vertices;
+    asset::setLodInfo(target, report.levels[k]);
+    levelMeshes.push_back(written.mesh);
+  }
+  // Every reference to the original mesh stays right.
+  model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
+  model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
+  for (std::size_t k = 1; k < levelMeshes.size(); ++k)
+    --levelMeshes[k];
+  levelMeshes[0] = static_cast<int>(index);
+  return levelMeshes;
+}
+
+MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                    const MeshProgress& progress) {
+  const std::vector<int>& nodes = before.users[index];
+  const tinygltf::Mesh& source = model.meshes[index];
+  MeshReport report;
+  report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
+  report.nodes = nodes.size();
+  report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
+  if (!report.passedThrough.empty()) {
+    report.findings.notFinitePassedOn = countNotFinite(model, source, options.limits);
+    return report;
+  }
+
+  CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
+  const CleanCounts cleaned = cleanMesh(mesh);
+  if (mesh.indices.empty() && cleaned.notFinite > 0)
+    throw Error(ErrorCode::kMalformed, fmt::format("none of its {} triangles has finite positions", cleaned.notFinite));
+  if (mesh.indices.empty()) {
+    report.findings.cleaned = cleaned;
+    report.passedThrough = "it has no triangle with area";
+    return report;
+  }
+  subdivideMesh(mesh, options.subdivide);
+  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
+  const WedgeMesh wedges = makeWedges(mesh);
+  report.findings = examine(mesh, cleaned, wedges);
+  report.diagonal = boundsOf(wedges.positions).diagonal();
+  if (!std::isfinite(report.diagonal)) {
+    report.passedThrough = "its coordinates are too large to measure";
+    return report;
+  }
+
+  const LevelChain chain = makeChain(wedges, options.chain, [&](std::uint32_t triangles) {
+    progress(fmt::format("{}: {} triangles", report.name, triangles));
+  });
+  report.stopReason = chain.stopReason;
+  const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
+  for (std::size_t k = 0; k < chain.levels.size(); ++k)
+    report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
+  linkNodes(model, before, nodes, writeLevels(model, index, mesh, chain, report), coverage);
+  return report;
+}
+
+/// Primitives may share their accessors, and each is read for itself: a small file can ask for any amount of work.
+constexpr std::uint64_t kFreeElements = 1ULL << 20U;
+constexpr std::uint64_t kMaxElementsPerByte = 64;
+
+void checkDemand(const tinygltf::Model& model) {
+  const auto count = [&](int accessor) {
+    return accessor < 0 ? 0 : std::uint64_t{model.accessors[static_cast<std::size_t>(accessor)].count};
+  };
+  std::uint64_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : model.buffers)
+    bytes += buffer.data.size();
+  std::uint64_t elements = 0;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      elements += count(primitive.indices);
+      for (const auto& [name, accessor] : primitive.attributes)
+        elements += count(accessor);
+    }
+  }
+  if (elements > kFreeElements + kMaxElementsPerByte * bytes)
+    throw Error(ErrorCode::kLimit, fmt::format("the meshes read {} elements out of {} bytes", elements, bytes));
+}
+
+}  // namespace
+
+std::vector<MeshReport> bakeDocument(
+    tinygltf::Model& model, const BakeOptions& options,
+    const std::function<void(std::size_t, std::size_t, const std::string&)>& progress) {
+  checkDemand(model);
+  const std::size_t meshes = model.meshes.size();
+  Before before{std::vector<std::vector<int>>(meshes), levelNodes(model), indexChannels(model)};
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    if (model.nodes[n].mesh >= 0)
+      before.users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
+  std::vector<MeshReport> reports;
+  for (std::size_t m = 0; m < meshes; ++m) {
+    progress(m, meshes, model.meshes[m].name);
+    if (before.users[m].empty()) continue;
+    try {
+      reports.push_back(
+          bakeMesh(model, m, before, options, [&](const std::string& what) { progress(m, meshes, what); }));
+    } catch (const Error& error) {
+      const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
+      throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));
+    }
+  }
+  model.asset.generator = "jalousie-bake";
+  return reports;
+}
+
+}  // namespace jalousie::bake

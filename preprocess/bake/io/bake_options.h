@@ -1,0 +1,20 @@
+// Options that decide on the content of a baked document.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "asset/gltf_file.h"
+#include "bake/simplify/chain_options.h"
+
+namespace jalousie::bake {
+
+struct BakeOptions {
+  ChainOptions chain;
+  std::uint32_t subdivide = 0;      ///< Loop steps before anything else
+  std::optional<double> hardAngle;  ///< rebuild normals: edges that bend by more degrees stay hard
+  ScreenTolerance screen;           ///< for MSFT_screencoverage
+  asset::Limits limits;
+};
+
+}  // namespace jalousie::bake

@@ -1,0 +1,180 @@
+// Converts between glTF accessors and CombinedMesh, with checked reads.
+#include "bake/io/gltf_mesh.h"
+
+#include <meshoptimizer.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "asset/accessor.h"
+#include "core/error.h"
+
+namespace jalousie::bake {
+namespace {
+
+template <class T>
+std::vector<float> flattened(const std::vector<T>& values) {
+  std::vector<float> result;
+  result.reserve(values.size() * static_cast<std::size_t>(T::length()));
+  for (const T& value : values)
+    for (int k = 0; k < T::length(); ++k)
+      result.push_back(value[k]);
+  return result;
+}
+
+Attribute readAttribute(const tinygltf::Model& model, const std::string& name, int accessor, std::uint64_t limit) {
+  switch (model.accessors[static_cast<std::size_t>(accessor)].type) {
+    case TINYGLTF_TYPE_SCALAR:
+      return {name, 1, asset::readScalars(model, accessor, limit)};
+    case TINYGLTF_TYPE_VEC2:
+      return {name, 2, flattened(asset::readVec2(model, accessor, limit))};
+    case TINYGLTF_TYPE_VEC3:
+      if (name.starts_with("COLOR_")) break;  // becomes VEC4 with alpha 1
+      return {name, 3, flattened(asset::readVec3(model, accessor, limit))};
+    default:
+      break;
+  }
+  return {name, 4, flattened(asset::readVec4(model, accessor, limit))};
+}
+
+void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& primitive, std::uint64_t limit,
+                    PrimitiveData& data) {
+  data.attributes.push_back(readAttribute(model, "POSITION", primitive.attributes.at("POSITION"), limit));
+  data.vertexCount = static_cast<std::uint32_t>(data.attributes[0].values.size() / 3);
+  for (const auto& [name, accessor] : primitive.attributes) {
+    if (name == "POSITION") continue;
+    data.attributes.push_back(readAttribute(model, name, accessor, limit));
+    const Attribute& attribute = data.attributes.back();
+    if (attribute.values.size() != std::size_t{data.vertexCount} * attribute.components)
+      throw Error(ErrorCode::kMalformed, "attributes of one primitive have different counts");
+    for (float& value : data.attributes.back().values) {
+      if (std::isfinite(value)) continue;
+      value = 0.0F;
+      ++data.repairedValues;
+    }
+  }
+}
+
+/// Shares bit-identical vertices: rewrites indices and compacts the attributes.
+void shareVertices(PrimitiveData& data, std::vector<std::uint32_t>& indices) {
+  std::vector<meshopt_Stream> streams;
+  for (const Attribute& attribute : data.attributes) {
+    const std::size_t bytes = attribute.components * sizeof(float);
+    streams.push_back({attribute.values.data(), bytes, bytes});
+  }
+  std::vector<std::uint32_t> remap(data.vertexCount);
+  const std::size_t unique = meshopt_generateVertexRemapMulti(remap.data(), indices.data(), indices.size(),
+                                                              data.vertexCount, streams.data(), streams.size());
+  for (Attribute& attribute : data.attributes) {
+    const std::size_t bytes = attribute.components * sizeof(float);
+    std::vector<float> compact(unique * attribute.components);
+    meshopt_remapVertexBuffer(compact.data(), attribute.values.data(), data.vertexCount, bytes, remap.data());
+    attribute.values = std::move(compact);
+  }
+  meshopt_remapIndexBuffer(indices.data(), indices.data(), indices.size(), remap.data());
+  data.vertexCount = static_cast<std::uint32_t>(unique);
+}
+
+int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const std::vector<std::uint32_t>& vertices) {
+  const auto gather = [&]<class T>(T) {
+    std::vector<T> values(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      for (int k = 0; k < T::length(); ++k)
+        values[v][k] = attribute.values[std::size_t{vertices[v]} * attribute.components + static_cast<std::size_t>(k)];
+    return values;
+  };
+  constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
+  if (attribute.components == 2) return asset::appendVec2(model, gather(glm::vec2()), kTarget);
+  if (attribute.components == 3) return asset::appendVec3(model, gather(glm::vec3()), kTarget);
+  if (attribute.components == 4) return asset::appendVec4(model, gather(glm::vec4()), kTarget);
+  std::vector<float> scalars;
+  for (const std::uint32_t v : vertices)
+    scalars.push_back(attribute.values[v]);
+  return asset::appendScalars(model, scalars, kTarget);
+}
+
+/// Reorders for the vertex cache, then numbers vertices by first use. @return  local vertices in their new order
+std::vector<std::uint32_t> optimiseOrder(std::vector<std::uint32_t>& indices, std::uint32_t vertexCount) {
+  meshopt_optimizeVertexCache(indices.data(), indices.data(), indices.size(), vertexCount);
+  std::vector<std::uint32_t> newIndex(vertexCount, ~0U);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t& index : indices) {
+    if (newIndex[index] == ~0U) {
+      newIndex[index] = static_cast<std::uint32_t>(order.size());
+      order.push_back(index);
+    }
+    index = newIndex[index];
+  }
+  return order;
+}
+
+}  // namespace
+
+std::string unbakeableReason(const tinygltf::Mesh& mesh) {
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return "it has points, lines or strips";
+    if (!primitive.targets.empty()) return "it has morph targets";
+    if (!primitive.attributes.contains("POSITION")) return "it has a primitive without positions";
+    if (primitive.attributes.contains("JOINTS_0")) return "it is skinned";
+  }
+  return mesh.primitives.empty() ? "it has no primitives" : "";
+}
+
+CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits) {
+  CombinedMesh combined;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    PrimitiveData data;
+    readAttributes(model, primitive, limits.maxAccessorElements, data);
+    std::vector<std::uint32_t> indices(data.vertexCount);
+    if (primitive.indices >= 0) {
+      indices = asset::readIndices(model, primitive.indices, data.vertexCount, limits.maxAccessorElements);
+    } else {
+      std::iota(indices.begin(), indices.end(), 0U);
+    }
+    indices.resize(indices.size() / 3 * 3);
+    if (!indices.empty()) shareVertices(data, indices);
+    data.firstVertex = static_cast<std::uint32_t>(combined.positions.size());
+    const std::vector<float>& xyz = data.attributes[0].values;
+    for (std::uint32_t v = 0; v < data.vertexCount; ++v)
+      combined.positions.emplace_back(xyz[3 * std::size_t{v}], xyz[3 * std::size_t{v} + 1],
+                                      xyz[3 * std::size_t{v} + 2]);
+    combined.primitiveOf.resize(combined.positions.size(), static_cast<std::uint32_t>(combined.primitives.size()));
+    for (const std::uint32_t index : indices)
+      combined.indices.push_back(data.firstVertex + index);
+    combined.primitives.push_back(std::move(data));
+  }
+  return combined;
+}
+
+WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined) {
+  const std::vector<std::uint32_t>& indices = combined.indices;
+  tinygltf::Mesh mesh;
+  mesh.name = source.name;
+  WrittenMesh written;
+  for (std::size_t p = 0; p < combined.primitives.size(); ++p) {
+    const PrimitiveData& data = combined.primitives[p];
+    std::vector<std::uint32_t> local;
+    for (std::size_t t = 0; t < indices.size(); t += 3) {
+      if (combined.primitiveOf[indices[t]] != p) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        local.push_back(indices[t + k] - data.firstVertex);
+    }
+    if (local.empty()) continue;
+    const std::vector<std::uint32_t> vertices = optimiseOrder(local, data.vertexCount);
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.material = source.primitives[p].material;
+    primitive.extensions = source.primitives[p].extensions;
+    primitive.extras = source.primitives[p].extras;
+    for (const Attribute& attribute : data.attributes)
+      primitive.attributes[attribute.name] = appendAttribute(model, attribute, vertices);
+    primitive.indices = asset::appendIndices(model, local);
+    mesh.primitives.push_back(std::move(primitive));
+    written.vertices += static_cast<std::uint32_t>(vertices.size());
+  }
+  written.mesh = static_cast<int>(model.meshes.size());
+  model.meshes.push_back(std::move(mesh));
+  return written;
+}
+
+}  // namespace jalousie::bake

@@ -1,0 +1,33 @@
+// What a bake reports about one mesh.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "asset/lod_chain.h"
+#include "bake/mesh/clean.h"
+
+namespace jalousie::bake {
+
+/// What was found in a mesh before it was simplified.
+struct MeshFindings {
+  CleanCounts cleaned;
+  std::uint64_t repairedValues = 0;     ///< NaN or infinite numbers in attributes, now 0
+  std::uint64_t notFinitePassedOn = 0;  ///< vertices with NaN or infinite positions in a mesh that is passed through
+  std::uint64_t nonManifoldEdges = 0;   ///< of three and more triangles, or of two that run the same way; passed on
+  std::uint64_t openEdges = 0;
+  std::uint64_t looseParts = 0;
+};
+
+struct MeshReport {
+  std::string name;
+  double diagonal = 0.0;               ///< of LOD 0's box
+  std::vector<asset::LodInfo> levels;  ///< as written, with measures; empty if the mesh was passed through
+  std::string stopReason;
+  std::string passedThrough;  ///< why, if it was
+  MeshFindings findings;
+  std::uint64_t nodes = 0;  ///< that use it
+};
+
+}  // namespace jalousie::bake

@@ -1,0 +1,19 @@
+// PLY: ASCII, binary little and big endian. Small and strict; every count is checked against the bytes that are there.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "bake/mesh/triangle_mesh.h"
+
+namespace jalousie::bake {
+
+/// Reads vertex positions, normals (nx ny nz), texture coordinates (s t, u v, texture_u texture_v), colours (red green
+/// blue alpha, integers taken as sRGB) and faces (vertex_indices or vertex_index), polygons split into fans. Other
+/// elements and properties are skipped. @param file  names the input in errors. Errors: kMalformed (header, truncated
+/// data, index out of range, NaN or infinite position), kUnsupported (no faces),
+/// kLimit.
+TriangleMesh readPly(std::span<const std::byte> bytes, const std::filesystem::path& file);
+
+}  // namespace jalousie::bake

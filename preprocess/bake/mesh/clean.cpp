@@ -1,0 +1,67 @@
+// Degenerate and duplicate triangles, found on welded positions.
+#include "bake/mesh/clean.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "bake/mesh/normals.h"
+#include "bake/mesh/weld.h"
+
+namespace jalousie::bake {
+
+CleanCounts cleanMesh(CombinedMesh& mesh) {
+  CleanCounts counts;
+  std::vector<bool> isFinite(mesh.positions.size(), true);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    glm::vec3& p = mesh.positions[v];
+    isFinite[v] = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    if (!isFinite[v]) p = glm::vec3(0.0F);
+  }
+  const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
+  /// A triangle by its welded corners, the lowest first, and its primitive.
+  struct Key {
+    std::array<std::uint32_t, 4> ids;
+    std::uint32_t triangle;
+  };
+  std::vector<Key> keys;
+  keys.reserve(mesh.indices.size() / 3);
+  std::vector<bool> dropped(mesh.indices.size() / 3, false);
+  for (std::uint32_t t = 0; t < dropped.size(); ++t) {
+    const std::uint32_t* corner = &mesh.indices[3 * std::size_t{t}];
+    if (!isFinite[corner[0]] || !isFinite[corner[1]] || !isFinite[corner[2]]) {
+      ++counts.notFinite;
+      dropped[t] = true;
+      continue;
+    }
+    std::array<std::uint32_t, 3> ids = {welded[corner[0]], welded[corner[1]], welded[corner[2]]};
+    const glm::dvec3 normal =
+        faceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
+    if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0] || normal == glm::dvec3(0.0)) {
+      ++counts.degenerate;
+      dropped[t] = true;
+      continue;
+    }
+    std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+    keys.push_back({{ids[0], ids[1], ids[2], mesh.primitiveOf[corner[0]]}, t});
+  }
+  std::sort(keys.begin(), keys.end(),
+            [](const Key& a, const Key& b) { return a.ids != b.ids ? a.ids < b.ids : a.triangle < b.triangle; });
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].ids != keys[i - 1].ids) continue;
+    ++counts.duplicate;
+    dropped[keys[i].triangle] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < dropped.size(); ++t) {
+    if (dropped[t]) continue;
+    std::copy_n(mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
+    kept += 3;
+  }
+  mesh.indices.resize(kept);
+  return counts;
+}
+
+}  // namespace jalousie::bake

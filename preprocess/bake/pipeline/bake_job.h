@@ -1,0 +1,63 @@
+// What one bake is given and what it gives back.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/io/bake_options.h"
+#include "core/error.h"
+
+namespace jalousie::bake {
+
+struct BakeJob {
+  std::vector<std::filesystem::path> inputs;  ///< one, or several PLY and OBJ files that become one document
+  std::filesystem::path output;
+  std::filesystem::path sheet;  ///< empty: none
+};
+
+/// What every job of a run is done with.
+struct JobSettings {
+  BakeOptions bake;
+  bool quantize = false;
+  bool compress = false;
+  bool makeFolders = false;     ///< make the output's folder if it is not there
+  std::filesystem::path cache;  ///< folder; empty: none
+  std::string identity;         ///< of program and options; what a cached result depends on besides the inputs
+};
+
+enum class JobStatus : std::uint8_t {
+  kBaked,
+  kCached,     ///< the output comes from the cache
+  kUnchanged,  ///< and was there already with the same bytes; only its time is new
+  kFailed,
+  kNotStarted,  ///< the run was interrupted before
+};
+
+/// "baked", "cached", "unchanged", "failed", "not-started".
+const char* statusName(JobStatus status);
+
+struct JobResult {
+  JobStatus status = JobStatus::kNotStarted;
+  std::vector<std::filesystem::path> dependencies;  ///< every file that was read, inputs first
+  std::string report;                               ///< as reportJson
+  std::string table;                                ///< as reportText
+  std::string warning;                              ///< one line; empty if all went well
+};
+
+/// Why a job failed.
+struct JobFailure {
+  ErrorCode code = ErrorCode::kInternal;
+  std::string message;  ///< one line that names the file
+};
+
+/// A file that was read, or looked for in vain, on the way to a document.
+struct ReadFile {
+  std::size_t input = 0;              ///< index of the input it belongs to
+  std::string name;                   ///< relative to that input's folder; empty for the input itself
+  std::optional<std::string> sha256;  ///< of its bytes; absent if there was no such file
+};
+
+}  // namespace jalousie::bake

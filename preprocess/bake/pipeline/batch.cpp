@@ -1,0 +1,237 @@
+// One loop: start workers, wait for what they say or for a signal, collect.
+#include "bake/pipeline/batch.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <list>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "core/file.h"
+#include "core/progress.h"
+
+namespace jalousie::bake {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned kMaxJobs = 256;
+
+/// SIGINT, SIGTERM and SIGHUP as something to read, unless they are ignored, as nohup wants it; what was set before
+/// comes back at the end.
+class Interruptions {
+ public:
+  Interruptions() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action = {};
+      if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
+    }
+    ::signal(SIGCHLD, SIG_DFL);  // ignored, it would take the exit codes of workers away
+    ::sigprocmask(SIG_BLOCK, &signals, &before_);
+    descriptor_ = Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
+    if (!descriptor_.valid()) throw Error(ErrorCode::kInternal, std::strerror(errno));
+  }
+  ~Interruptions() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  Interruptions(const Interruptions&) = delete;
+  Interruptions& operator=(const Interruptions&) = delete;
+
+  int descriptor() const { return descriptor_.get(); }
+  bool arrived() const {
+    signalfd_siginfo info = {};
+    return ::read(descriptor_.get(), &info, sizeof info) == static_cast<ssize_t>(sizeof info);
+  }
+
+ private:
+  sigset_t before_ = {};
+  Descriptor descriptor_;
+};
+
+std::uint64_t bytesOf(const BakeJob& job) {
+  std::uint64_t bytes = 0;
+  for (const fs::path& input : job.inputs) {
+    std::error_code absent;
+    const std::uintmax_t size = fs::file_size(input, absent);
+    if (!absent) bytes += size;
+  }
+  return std::max<std::uint64_t>(bytes, 1);
+}
+
+std::string durationText(double seconds) {
+  const auto whole = static_cast<std::uint64_t>(std::min(seconds, 1e6) + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+/// The memory that a container or a scheduler leaves us; all there is if nobody says.
+std::uint64_t controlGroupMemory() {
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::uint64_t bytes = 0;
+    if (std::ifstream(file) >> bytes && bytes > 0) return bytes;
+  }
+  return std::numeric_limits<std::uint64_t>::max();
+}
+
+struct Running {
+  std::size_t job;
+  Worker worker;
+  Clock::time_point start;
+};
+
+class Batch {
+ public:
+  Batch(std::span<const BakeJob> jobs, const JobSettings& settings, const BatchOptions& options)
+      : jobs_(jobs),
+        settings_(settings),
+        options_(options),
+        progress_("baking", jobs.size() == 1 ? 0 : totalBytes(jobs), options.quiet) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned threads = std::clamp(options.jobs == 0 ? cores : options.jobs, 1U, kMaxJobs);
+    workers_ = std::min<std::size_t>(threads, jobs.size());
+    limits_.threads = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(workers_, 1)));
+    limits_.maxMemoryBytes = options.maxMemoryBytes ? *options.maxMemoryBytes : memoryShare();
+    outcome_.jobs.resize(jobs.size());
+  }
+
+  BatchOutcome run() {
+    for (const fs::path& folder : outputFolders())
+      removeAbandonedFiles(folder);
+    while ((next_ < jobs_.size() || !running_.empty()) && !outcome_.interrupted) {
+      startWorkers();
+      wait();
+    }
+    running_.clear();  // kills what an interruption left running
+    if (outcome_.interrupted)
+      for (const fs::path& folder : outputFolders())
+        removeAbandonedFiles(folder);
+    return std::move(outcome_);
+  }
+
+ private:
+  static std::uint64_t totalBytes(std::span<const BakeJob> jobs) {
+    std::uint64_t bytes = 0;
+    for (const BakeJob& job : jobs)
+      bytes += bytesOf(job);
+    return bytes;
+  }
+
+  std::uint64_t memoryShare() const {
+    const auto pages = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES)));
+    const auto page = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
+    return std::min(pages * page, controlGroupMemory()) / 10 * 9 / std::max<std::size_t>(workers_, 1);
+  }
+
+  std::set<fs::path> outputFolders() const {
+    std::set<fs::path> folders;
+    for (const BakeJob& job : jobs_)
+      for (const fs::path& file : {job.output, job.sheet})
+        if (!file.empty()) folders.insert(folderOf(file));
+    return folders;
+  }
+
+  void startWorkers() {
+    while (running_.size() < workers_ && next_ < jobs_.size()) {
+      try {
+        running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits_), Clock::now()});
+      } catch (const Error&) {
+        if (running_.empty()) throw;
+        return;  // no more processes or pipes to be had; those that run will give theirs back
+      }
+      ++next_;
+    }
+  }
+
+  void wait() {
+    std::vector<pollfd> files = {{interruptions_.descriptor(), POLLIN, 0}};
+    for (const Running& running : running_)
+      files.push_back({running.worker.descriptor(), POLLIN, 0});
+    ::poll(files.data(), files.size(), 200);
+    if (interruptions_.arrived()) {
+      outcome_.interrupted = true;
+      return;
+    }
+    std::size_t file = 1;
+    for (auto running = running_.begin(); running != running_.end(); ++file) {
+      if (files[file].revents != 0 && !running->worker.listen()) {
+        finish(*running);
+        running = running_.erase(running);
+        continue;
+      }
+      if (options_.timeout.count() > 0 && Clock::now() - running->start > options_.timeout)
+        running->worker.kill(fmt::format("took longer than the {:g} s of --timeout",
+                                         static_cast<double>(options_.timeout.count()) / 1000.0));
+      ++running;
+    }
+    showProgress();
+  }
+
+  void finish(Running& running) {
+    JobOutcome& outcome = outcome_.jobs[running.job];
+    std::optional<JobResult> result;
+    running.worker.finish(result, outcome.failure);
+    if (result) outcome.result = std::move(*result);
+    if (outcome.failure) outcome.result.status = JobStatus::kFailed;
+    ++finished_;
+    finishedBytes_ += bytesOf(jobs_[running.job]);
+    announce(jobs_[running.job], outcome, std::chrono::duration<double>(Clock::now() - running.start).count());
+  }
+
+  void announce(const BakeJob& job, const JobOutcome& outcome, double seconds) {
+    if (outcome.failure) progress_.print(fmt::format("jalousie-bake: {}", outcome.failure->message));
+    if (!outcome.result.warning.empty())
+      progress_.print(fmt::format("jalousie-bake: warning: {}", outcome.result.warning));
+    if (!options_.lines || options_.quiet || progress_.visible()) return;
+    progress_.print(fmt::format("[{}/{}] {} {} -> {} ({:.1f} s)", finished_, jobs_.size(),
+                                statusName(outcome.result.status), oneLine(job.inputs.front().string()),
+                                oneLine(job.output.string()), seconds));
+  }
+
+  void showProgress() {
+    if (jobs_.size() == 1) return progress_.update(0, running_.empty() ? "" : running_.front().worker.progress());
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    std::string text = fmt::format("{} of {} files", finished_, jobs_.size());
+    if (finished_ > 0) {
+      const double left = elapsed * static_cast<double>(totalBytes_ - std::min(totalBytes_, finishedBytes_)) /
+                          static_cast<double>(finishedBytes_);
+      text += fmt::format(", {:.3g} files/s, {} left", static_cast<double>(finished_) / elapsed, durationText(left));
+    }
+    if (!running_.empty()) text += ": " + jobs_[running_.front().job].inputs.front().filename().string();
+    progress_.update(finishedBytes_, text);
+  }
+
+  std::span<const BakeJob> jobs_;
+  const JobSettings& settings_;
+  const BatchOptions& options_;
+  Interruptions interruptions_;
+  Progress progress_;
+  WorkerLimits limits_;
+  std::size_t workers_ = 1;
+  std::size_t next_ = 0;
+  std::size_t finished_ = 0;
+  std::uint64_t totalBytes_ = totalBytes(jobs_);
+  std::uint64_t finishedBytes_ = 0;
+  Clock::time_point start_ = Clock::now();
+  std::list<Running> running_;
+  BatchOutcome outcome_;
+};
+
+}  // namespace
+
+BatchOutcome runBatch(std::span<const BakeJob> jobs, const JobSettings& settings, const BatchOptions& options) {
+  return Batch(jobs, settings, options).run();
+}
+
+}  // namespace jalousie::bake

@@ -1,0 +1,42 @@
+// Options of jalousie-bake.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/io/bake_options.h"
+
+namespace jalousie::bake {
+
+struct CommandLine {
+  bool inspect = false;             ///< "inspect FILE": only inputs, json ("-" or empty), sheet and quiet matter
+  std::vector<std::string> inputs;  ///< files, folders, patterns
+  std::filesystem::path filesFrom;  ///< a list of more inputs; empty: none; "-": standard input
+  std::filesystem::path output;     ///< a file, or a folder for a batch
+  bool keepExtension = false;
+  std::filesystem::path json;     ///< empty: none; "-": standard output
+  std::filesystem::path sheet;    ///< empty: none; a folder for a batch
+  std::filesystem::path depfile;  ///< empty: none
+  std::filesystem::path cache;    ///< empty: none
+  std::uint64_t cacheLimit = 10ULL << 30U;
+  std::optional<std::uint64_t> maxMemory;  ///< bytes of one bake, 0 for no limit
+  std::chrono::milliseconds timeout{0};    ///< of one bake; 0: none
+  unsigned jobs = 0;                       ///< 0: all cores
+  bool quantize = false;
+  bool compress = false;
+  bool quiet = false;
+  std::string chosen;  ///< the options given that decide what a bake's bytes are, in one fixed order
+  BakeOptions bake;
+};
+
+/// Whether the output names a folder: it is one, or ends in a slash.
+bool isBatch(const CommandLine& command);
+
+/// Parses; nullopt after --help or --version was answered. Errors: kUsage.
+std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv);
+
+}  // namespace jalousie::bake

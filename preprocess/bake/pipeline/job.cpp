@@ -1,0 +1,121 @@
+// Look in the cache, else import, bake, encode and store; then write.
+#include "bake/pipeline/job.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <optional>
+
+#include "asset/gltf_quantize.h"
+#include "bake/io/bake_document.h"
+#include "bake/io/import.h"
+#include "bake/pipeline/cache.h"
+#include "bake/pipeline/digest.h"
+#include "bake/report/report.h"
+#include "bake/report/sheet.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace jalousie::bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> dependencyPaths(const BakeJob& job, const std::vector<ReadFile>& read) {
+  std::vector<fs::path> paths = job.inputs;
+  for (const ReadFile& file : read)
+    if (!file.name.empty() && file.sha256) paths.push_back(job.inputs[file.input].parent_path() / file.name);
+  return paths;
+}
+
+/// Whether a file holds these bytes already. A file that cannot be read does not.
+bool holds(const fs::path& path, std::span<const std::byte> bytes) {
+  std::error_code ignored;
+  if (fs::file_size(path, ignored) != bytes.size()) return false;
+  try {
+    const std::vector<std::byte> there = readFile(path, bytes.size());
+    return std::equal(there.begin(), there.end(), bytes.begin(), bytes.end());
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Writes unless the bytes are there already; then the file only gets the present time, for build tools that compare
+/// times. @return  whether it was there
+bool writeIfOther(const fs::path& path, std::span<const std::byte> bytes) {
+  if (holds(path, bytes) && ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0) == 0) return true;
+  writeFileAtomic(path, bytes);
+  return false;
+}
+
+void makeFolderOf(const fs::path& file) {
+  std::error_code failed;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), failed);
+  if (failed) throw Error(ErrorCode::kWriteFailed, "cannot make this folder: " + failed.message(), file.parent_path());
+}
+
+CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<ReadFile>& read,
+                const std::function<void(const std::string&)>& progress) {
+  tinygltf::Model model =
+      importFiles(job.inputs, settings.bake.limits,
+                  [&](std::size_t input, const std::string& name, std::optional<std::span<const std::byte>> bytes) {
+                    read.push_back({input, name, bytes ? std::optional(sha256(*bytes)) : std::nullopt});
+                  });
+  const std::vector<MeshReport> reports =
+      bakeDocument(model, settings.bake, [&](std::size_t done, std::size_t total, const std::string& what) {
+        progress(fmt::format("mesh {} of {}, {}", done + 1, total, what));
+      });
+  CacheEntry entry;
+  if (!job.sheet.empty()) {
+    SheetOptions options;
+    options.title = job.output.filename().string();
+    options.slices = settings.bake.chain.slices;
+    const std::string page = sheetHtml(model, options);
+    const auto bytes = std::as_bytes(std::span(page.data(), page.size()));
+    entry.sheet.assign(bytes.begin(), bytes.end());
+  }
+  if (settings.quantize) asset::quantizeModel(model);
+  entry.output = asset::encodeGlb(std::move(model), {settings.compress});
+  entry.report = reportJson(reports);
+  entry.table = reportText(reports);
+  return entry;
+}
+
+}  // namespace
+
+JobResult runJob(const BakeJob& job, const JobSettings& settings,
+                 const std::function<void(const std::string&)>& progress) {
+  std::optional<Cache> cache;
+  if (!settings.cache.empty()) cache.emplace(settings.cache, settings.identity);
+  std::vector<ReadFile> read;
+  std::optional<CacheEntry> entry;
+  if (cache) entry = cache->find(job, settings.bake.limits, read);
+  const bool isHit = entry.has_value();
+  if (!isHit) {
+    read.clear();
+    entry = bake(job, settings, read, progress);
+  }
+  if (settings.makeFolders) {
+    makeFolderOf(job.output);
+    makeFolderOf(job.sheet);
+  }
+  bool unchanged = isHit;
+  if (!job.sheet.empty()) {
+    unchanged = writeIfOther(job.sheet, entry->sheet) && unchanged;
+  }
+  unchanged = writeIfOther(job.output, entry->output) && unchanged;
+  JobResult result;
+  try {
+    if (cache && !isHit) cache->store(job, read, *entry);
+  } catch (const Error& error) {  // the bake is done; the next one will be slower, that is all
+    result.warning = error.what();
+  }
+  result.status = unchanged ? JobStatus::kUnchanged : isHit ? JobStatus::kCached : JobStatus::kBaked;
+  result.dependencies = dependencyPaths(job, read);
+  result.report = std::move(entry->report);
+  result.table = std::move(entry->table);
+  return result;
+}
+
+}  // namespace jalousie::bake

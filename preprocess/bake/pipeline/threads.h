@@ -1,0 +1,12 @@
+// Runs the slices of a loop on several threads.
+#pragma once
+
+#include "bake/simplify/slices.h"
+
+namespace jalousie::bake {
+
+/// A runner that uses up to `threads` threads, 0 for all cores, and at most 16. Short loops run on the calling thread.
+/// If the system has no more threads, the calling thread does the work.
+SliceRunner threadedSlices(unsigned threads);
+
+}  // namespace jalousie::bake

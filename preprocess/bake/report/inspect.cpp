@@ -1,0 +1,133 @@
+// Counting and formatting of chains.
+#include "bake/report/inspect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace jalousie::bake {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::uint64_t countOf(const tinygltf::Model& model, int accessor) {
+  return accessor >= 0 && static_cast<std::size_t>(accessor) < model.accessors.size()
+             ? model.accessors[static_cast<std::size_t>(accessor)].count
+             : 0;
+}
+
+InspectedLevel inspectMesh(const tinygltf::Model& model, int index) {
+  InspectedLevel level;
+  level.mesh = index;
+  const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(index)];
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    const auto found = primitive.attributes.find("POSITION");
+    const std::uint64_t vertices = found == primitive.attributes.end() ? 0 : countOf(model, found->second);
+    const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
+    level.vertices += vertices;
+    if (primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == -1) level.triangles += corners / 3;
+    if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN)
+      level.triangles += corners > 2 ? corners - 2 : 0;
+  }
+  level.info = asset::lodInfo(mesh);
+  return level;
+}
+
+/// A figure of a level as text, '-' if the file does not say.
+template <class Figure>
+std::string cell(const InspectedLevel& level, const char* format, const Figure& figure) {
+  if (!level.info || !level.info->measures) return "-";
+  return fmt::format(fmt::runtime(format), figure(*level.info->measures));
+}
+
+double percentOf(const asset::LodMeasures& measures, double length) {
+  return measures.diagonal > 0.0 ? 100.0 * length / measures.diagonal : 0.0;
+}
+
+std::string levelText(const InspectedChain& chain, std::size_t k) {
+  const InspectedLevel& level = chain.levels[k];
+  const double share = chain.levels[0].triangles > 0 ? 100.0 * static_cast<double>(level.triangles) /
+                                                           static_cast<double>(chain.levels[0].triangles)
+                                                     : 0.0;
+  const auto largest = [&](const asset::LodMeasures& m) { return percentOf(m, level.info->errorObject); };
+  const auto mean = [](const asset::LodMeasures& m) { return percentOf(m, m.twoSided.mean); };
+  const auto normal = [](const asset::LodMeasures& m) { return m.normalDegrees.mean; };
+  const auto p95 = [](const asset::LodMeasures& m) { return m.normalDegrees.p95; };
+  const auto uv = [](const asset::LodMeasures& m) { return m.uv.mean; };
+  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", k, level.triangles,
+                     level.vertices, share, cell(level, "{:.4f}", largest), cell(level, "{:.5f}", mean),
+                     cell(level, "{:.2f}°", normal), cell(level, "{:.2f}°", p95), cell(level, "{:.2g}", uv),
+                     k < chain.coverage.size() ? fmt::format("{:.2g}", chain.coverage[k]) : "-");
+}
+
+ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
+  const InspectedLevel& level = chain.levels[k];
+  ordered_json json = {{"lod", k}, {"triangles", level.triangles}, {"vertices", level.vertices}};
+  if (k < chain.coverage.size()) json["screen_coverage"] = chain.coverage[k];
+  if (level.info) json["error_object"] = level.info->errorObject;
+  if (!level.info || !level.info->measures) return json;
+  const asset::LodMeasures& measures = *level.info->measures;
+  json["error_percent"] = percentOf(measures, level.info->errorObject);
+  json["mean_percent"] = percentOf(measures, measures.twoSided.mean);
+  json["normal_degrees"] = {{"mean", measures.normalDegrees.mean}, {"p95", measures.normalDegrees.p95}};
+  json["uv"] = {{"mean", measures.uv.mean}, {"p95", measures.uv.p95}};
+  if (!measures.stop.empty()) json["stop"] = measures.stop;
+  return json;
+}
+
+}  // namespace
+
+std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
+  std::vector<bool> isLower(model.nodes.size(), false);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
+      isLower[static_cast<std::size_t>(lower)] = true;
+  std::vector<InspectedChain> chains(model.meshes.size());
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    const tinygltf::Node& node = model.nodes[n];
+    if (isLower[n] || node.mesh < 0) continue;
+    InspectedChain& chain = chains[static_cast<std::size_t>(node.mesh)];
+    if (chain.nodes++ > 0) continue;
+    const std::string& name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
+    chain.name = name.empty() ? fmt::format("mesh {}", node.mesh) : name;
+    chain.levels.push_back(inspectMesh(model, node.mesh));
+    for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
+      chain.levels.push_back(inspectMesh(model, model.nodes[static_cast<std::size_t>(lower)].mesh));
+    chain.coverage = asset::lodCoverage(node);
+  }
+  std::erase_if(chains, [](const InspectedChain& chain) { return chain.nodes == 0; });
+  return chains;
+}
+
+std::string inspectText(const std::vector<InspectedChain>& chains) {
+  std::string text;
+  for (const InspectedChain& chain : chains) {
+    text += fmt::format("{}: {} level{}, {} node{}\n", oneLine(chain.name), chain.levels.size(),
+                        chain.levels.size() == 1 ? "" : "s", chain.nodes, chain.nodes == 1 ? "" : "s");
+    text += fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD", "triangles",
+                        "vertices", "%", "max %", "mean %", "normal", "p95", "uv", "coverage");
+    for (std::size_t k = 0; k < chain.levels.size(); ++k)
+      text += levelText(chain, k);
+    const auto& last = chain.levels.back().info;
+    if (last && last->measures && !last->measures->stop.empty()) text += "  " + last->measures->stop + "\n";
+  }
+  return text.empty() ? "no mesh is in use\n" : text;
+}
+
+std::string inspectJson(const std::vector<InspectedChain>& chains) {
+  ordered_json json;
+  json["chains"] = ordered_json::array();
+  for (const InspectedChain& chain : chains) {
+    ordered_json entry = {{"name", chain.name}, {"nodes", chain.nodes}};
+    entry["levels"] = ordered_json::array();
+    for (std::size_t k = 0; k < chain.levels.size(); ++k)
+      entry["levels"].push_back(levelJson(chain, k));
+    json["chains"].push_back(std::move(entry));
+  }
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace jalousie::bake

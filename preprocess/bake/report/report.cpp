@@ -1,0 +1,112 @@
+// Formats bake reports.
+#include "bake/report/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace jalousie::bake {
+namespace {
+
+using nlohmann::ordered_json;
+
+double percentOf(double diagonal, double length) {
+  return diagonal > 0.0 ? 100.0 * length / diagonal : 0.0;
+}
+
+std::string findingsText(const MeshFindings& findings) {
+  std::string text;
+  const auto note = [&](std::uint64_t count, const char* what) {
+    if (count > 0) text += fmt::format("  {} {}\n", count, what);
+  };
+  note(findings.cleaned.notFinite, "triangles with NaN or infinite positions dropped");
+  note(findings.notFinitePassedOn, "vertices with NaN or infinite positions passed on");
+  note(findings.cleaned.degenerate, "triangles without area dropped");
+  note(findings.cleaned.duplicate, "duplicate triangles dropped");
+  note(findings.repairedValues, "NaN or infinite attribute values set to 0");
+  note(findings.nonManifoldEdges, "non-manifold edges kept as they are");
+  return text;
+}
+
+std::string levelsText(const MeshReport& mesh) {
+  std::string text =
+      fmt::format("  {:>3} {:>10} {:>10} {:>11} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD", "triangles", "vertices",
+                  "max error", "max %", "mean %", "normal", "p95", "uv", "coverage");
+  for (const asset::LodInfo& level : mesh.levels) {
+    const asset::LodMeasures& measures = *level.measures;
+    text += fmt::format("  {:>3} {:>10} {:>10} {:>11.5g} {:>9.4f} {:>9.5f} {:>7.2f}° {:>7.2f}° {:>9.2g} {:>9.2g}\n",
+                        level.lod, level.triangles, level.vertices, level.errorObject,
+                        percentOf(mesh.diagonal, level.errorObject), percentOf(mesh.diagonal, measures.twoSided.mean),
+                        measures.normalDegrees.mean, measures.normalDegrees.p95, measures.uv.mean, measures.coverage);
+  }
+  return text;
+}
+
+ordered_json distanceJson(const asset::DistanceInfo& distance, double diagonal) {
+  return {{"max", distance.max},
+          {"mean", distance.mean},
+          {"max_percent", percentOf(diagonal, distance.max)},
+          {"mean_percent", percentOf(diagonal, distance.mean)}};
+}
+
+ordered_json levelJson(const asset::LodInfo& level, double diagonal) {
+  const asset::LodMeasures& measures = *level.measures;
+  ordered_json json = {{"lod", level.lod},
+                       {"triangles", level.triangles},
+                       {"vertices", level.vertices},
+                       {"error_object", level.errorObject},
+                       {"error_percent", percentOf(diagonal, level.errorObject)}};
+  json["two_sided"] = distanceJson(measures.twoSided, diagonal);
+  json["to_original"] = distanceJson(measures.toOriginal, diagonal);
+  json["from_original"] = distanceJson(measures.fromOriginal, diagonal);
+  json["normal_degrees"] = {{"mean", measures.normalDegrees.mean}, {"p95", measures.normalDegrees.p95}};
+  json["uv"] = {{"mean", measures.uv.mean}, {"p95", measures.uv.p95}};
+  json["screen_coverage"] = measures.coverage;
+  return json;
+}
+
+}  // namespace
+
+std::string reportText(const std::vector<MeshReport>& meshes) {
+  std::string text;
+  for (const MeshReport& mesh : meshes) {
+    if (!mesh.passedThrough.empty()) {
+      text +=
+          fmt::format("{}: passed through, {}\n", oneLine(mesh.name), mesh.passedThrough) + findingsText(mesh.findings);
+      continue;
+    }
+    text += fmt::format("{}: {} levels, {}\n", oneLine(mesh.name), mesh.levels.size(), mesh.stopReason);
+    text += findingsText(mesh.findings) + levelsText(mesh);
+  }
+  return text;
+}
+
+std::string reportJson(const std::vector<MeshReport>& meshes) {
+  ordered_json json;
+  json["meshes"] = ordered_json::array();
+  for (const MeshReport& mesh : meshes) {
+    ordered_json entry;
+    entry["name"] = mesh.name;
+    entry["nodes"] = mesh.nodes;
+    entry["diagonal"] = mesh.diagonal;
+    entry["stop"] = mesh.stopReason;
+    entry["passed_through"] = mesh.passedThrough;
+    entry["not_finite"] = mesh.findings.cleaned.notFinite;
+    entry["not_finite_passed_on"] = mesh.findings.notFinitePassedOn;
+    entry["degenerate"] = mesh.findings.cleaned.degenerate;
+    entry["duplicate"] = mesh.findings.cleaned.duplicate;
+    entry["repaired_values"] = mesh.findings.repairedValues;
+    entry["non_manifold_edges"] = mesh.findings.nonManifoldEdges;
+    entry["open_edges"] = mesh.findings.openEdges;
+    entry["loose_parts"] = mesh.findings.looseParts;
+    entry["levels"] = ordered_json::array();
+    for (const asset::LodInfo& level : mesh.levels)
+      entry["levels"].push_back(levelJson(level, mesh.diagonal));
+    json["meshes"].push_back(std::move(entry));
+  }
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace jalousie::bake

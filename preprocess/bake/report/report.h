@@ -1,0 +1,21 @@
+// The report of a bake, for people and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bake/io/mesh_report.h"
+
+namespace jalousie::bake {
+
+/// One table per mesh: errors in object units and % of the diagonal, normals in degrees, UV in texture space.
+std::string reportText(const std::vector<MeshReport>& meshes);
+/// {"meshes": [{"name", "nodes", "diagonal", "stop", "passed_through", "not_finite", "not_finite_passed_on",
+/// "degenerate", "duplicate",
+///   "repaired_values", "non_manifold_edges", "open_edges", "loose_parts",
+///   "levels": [{"lod", "triangles", "vertices", "error_object", "error_percent", "two_sided": D, "to_original": D,
+///     "from_original": D, "normal_degrees": S, "uv": S, "screen_coverage"}]}]}
+/// with D = {"max", "mean", "max_percent", "mean_percent"} and S = {"mean", "p95"}
+std::string reportJson(const std::vector<MeshReport>& meshes);
+
+}  // namespace jalousie::bake

@@ -1,0 +1,38 @@
+// A chain of levels from one mesh, each made from the one before and measured against the first.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bake/mesh/wedge_mesh.h"
+#include "bake/simplify/chain_options.h"
+#include "bake/simplify/deviation.h"
+
+namespace jalousie::bake {
+
+struct ChainLevel {
+  WedgeMesh mesh;
+  Deviation deviation;
+  double errorMax = 0.0;  ///< object-space length: the two-sided maximum up to this level, so it never falls
+};
+
+struct LevelChain {
+  std::vector<ChainLevel> levels;  ///< LOD 0 first; never empty
+  std::string stopReason;          ///< why there are not more
+};
+
+/// Triangles strictly descend, errors never fall, every level has at least kMinLevelTriangles or is LOD 0.
+/// @param progress  called with the triangles of each level once it is done; may be empty
+/// @pre mesh has at least one triangle (checked)
+LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
+                     const std::function<void(std::uint32_t)>& progress = {});
+
+/// MSFT_screencoverage: for each level the share of the screen's area below which the next one may be shown.
+/// A sphere of radius r that is D pixels wide on screen shows an object-space error e as e D / 2r pixels. The next
+/// level, with error e', is good enough while that is at most `pixels`: D <= 2r pixels / e'. The sphere then covers
+/// pi D^2 / 4 of the screen's pixels. The last level's value is 0: it is never left.
+std::vector<float> screenCoverage(const LevelChain& chain, double radius, const ScreenTolerance& tolerance = {});
+
+}  // namespace jalousie::bake

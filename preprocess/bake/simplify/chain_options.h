@@ -1,0 +1,40 @@
+// Options of a chain of levels.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "bake/simplify/collapse_options.h"
+#include "bake/simplify/slices.h"
+
+namespace jalousie::bake {
+
+inline constexpr std::uint32_t kMaxLevels = 16;
+
+enum class Preset : std::uint8_t {
+  kBest,   ///< collapse on position and attributes, two rounds of refit
+  kFast,   ///< collapse on position, one round of refit on fewer samples
+  kDraft,  ///< meshoptimizer, no refit
+};
+
+struct ChainOptions {
+  Preset preset = Preset::kBest;
+  std::uint32_t levels = 10;                    ///< at most, LOD 0 included
+  double ratio = 0.5;                           ///< triangles of a level over those of the one before
+  std::vector<double> ratios;                   ///< triangles of LOD 1, 2, ... over those of LOD 0; replaces ratio
+  std::optional<std::uint32_t> coarsest;        ///< triangles of the last level; replaces ratio
+  double untilError = 25.0;                     ///< no level with a larger maximum, % of the diagonal
+  std::optional<std::uint32_t> untilTriangles;  ///< no level with fewer triangles
+  CollapseOptions collapse;
+  std::optional<std::uint32_t> samples;  ///< points per surface for the measures; the preset decides otherwise
+  SliceRunner slices = runInOneSlice;    ///< runs the loops of refit and measurement
+};
+
+/// On which screen an error may be how large before the next level no longer does.
+struct ScreenTolerance {
+  double pixels = 1.0;     ///< largest error on screen
+  double height = 1080.0;  ///< of the screen in pixels; it is 16:9
+};
+
+}  // namespace jalousie::bake

@@ -1,0 +1,318 @@
+// Cheapest collapses first, stale entries recognised by the versions of their vertices.
+#include "bake/simplify/collapse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "bake/mesh/bounds.h"
+#include "bake/mesh/loose_parts.h"
+#include "bake/mesh/mesh_edges.h"
+#include "bake/simplify/collapse_checks.h"
+#include "bake/simplify/collapse_error.h"
+#include "bake/simplify/collapse_queue.h"
+#include "bake/simplify/collapse_topology.h"
+
+namespace jalousie::bake {
+namespace {
+
+constexpr std::uint32_t kNone = ~0U;
+/// A part that vanishes counts as if all of its area were off by this often (squared) half its size: it leaves nothing
+/// behind that could be near.
+constexpr double kPartWeight = 16.0;
+std::vector<glm::dvec3> unitFrame(const WedgeMesh& mesh) {
+  const Aabb box = boundsOf(mesh.positions);
+  const glm::dvec3 center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
+  const double scale = box.diagonal() > 0.0 ? 1.0 / box.diagonal() : 1.0;
+  std::vector<glm::dvec3> positions;
+  positions.reserve(mesh.positions.size());
+  for (const glm::vec3& p : mesh.positions)
+    positions.push_back((glm::dvec3(p) - center) * scale);
+  return positions;
+}
+
+}  // namespace
+
+struct EdgeCollapser::State {
+  State(const WedgeMesh& mesh, const CollapseOptions& options)
+      : source(mesh),
+        positions(unitFrame(mesh)),
+        edges(findEdges(mesh)),
+        error(mesh, edges, options, positions),
+        topology(vertexIndices(mesh), mesh.corners, mesh.positions.size()),
+        checks(source, positions, error, topology),
+        parts(findLooseParts(mesh)),
+        parent(mesh.positions.size()),
+        version(mesh.positions.size(), 0),
+        singleWedge(mesh.positions.size(), kNone),
+        onBorder(mesh.positions.size(), 0),
+        locked(mesh.positions.size(), 0),
+        seen(mesh.positions.size(), 0) {
+    std::iota(parent.begin(), parent.end(), 0U);
+    const Aabb box = boundsOf(mesh.positions);
+    scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
+    center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
+    for (const MeshEdge& edge : edges.edges) {
+      if (edge.kind != EdgeKind::kBorder) continue;
+      for (const std::uint32_t v : {edge.a, edge.b}) {
+        onBorder[v] = 1;
+        locked[v] = options.lockBorder ? 1 : 0;
+      }
+    }
+    for (std::uint32_t v = 0; v < positions.size(); ++v)
+      noteWedges(v);
+    fillQueue();
+  }
+
+  /// Remembers the wedge of a vertex that has just one.
+  void noteWedges(std::uint32_t v) {
+    std::uint32_t wedge = kNone;
+    bool several = false;
+    topology.forEachCorner(v, [&](std::uint32_t corner) {
+      several = several || (wedge != kNone && wedge != topology.wedgeAt(corner));
+      wedge = topology.wedgeAt(corner);
+    });
+    singleWedge[v] = several ? kNone : wedge;
+  }
+
+  void fillQueue() {
+    for (const MeshEdge& edge : edges.edges)
+      if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
+    for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
+      const LoosePart& part = parts.parts[p];
+      const double radius = part.radius / scale;
+      if (p != parts.largest)
+        queue.push({static_cast<float>(kPartWeight * part.area / (scale * scale) * radius * radius), p, kNone, 0});
+    }
+  }
+
+  std::optional<Candidate> assess(std::uint32_t u, std::uint32_t v) {
+    if (u > v) std::swap(u, v);
+    if (locked[u] != 0 && locked[v] != 0) return std::nullopt;
+    WedgeMerge merge;
+    if (!checks.gather(u, v, singleWedge, merge)) return std::nullopt;
+    const Quadric quadric = error.merged(u, v, merge);
+    const std::optional<glm::dvec3> minimum = freeMinimum(u, v, quadric);
+    const double cost = minimum ? std::max(quadric.at(*minimum), 0.0) : places(u, v, quadric)[0].cost;
+    return Candidate{static_cast<float>(cost), u, v, version[u] + version[v]};
+  }
+
+  /// The minimum of the error, unless an end is locked or it lies further off than the edge is long (spikes).
+  std::optional<glm::dvec3> freeMinimum(std::uint32_t u, std::uint32_t v, const Quadric& quadric) const {
+    if (locked[u] != 0 || locked[v] != 0) return std::nullopt;
+    const std::optional<glm::dvec3> minimum = quadric.minimum();
+    const glm::dvec3 edge = positions[v] - positions[u];
+    if (!minimum) return std::nullopt;
+    const glm::dvec3 off = *minimum - 0.5 * (positions[u] + positions[v]);
+    return glm::dot(off, off) <= glm::dot(edge, edge) ? minimum : std::nullopt;
+  }
+
+  struct Place {
+    glm::dvec3 p;
+    double cost;
+  };
+  /// Where the new vertex may be, best first: the free minimum, both ends, the middle.
+  std::array<Place, 4> places(std::uint32_t u, std::uint32_t v, const Quadric& quadric) const {
+    const auto at = [&](const glm::dvec3& p) { return Place{p, std::max(quadric.at(p), 0.0)}; };
+    if (locked[u] != 0 || locked[v] != 0) {
+      const Place kept = at(locked[u] != 0 ? positions[u] : positions[v]);
+      return {kept, kept, kept, kept};
+    }
+    const glm::dvec3 middle = 0.5 * (positions[u] + positions[v]);
+    std::array<Place, 4> result = {at(middle), at(positions[u]), at(positions[v]), at(middle)};
+    if (const auto minimum = freeMinimum(u, v, quadric)) result[0] = at(*minimum);
+    std::stable_sort(result.begin(), result.end(), [](const Place& a, const Place& b) { return a.cost < b.cost; });
+    return result;
+  }
+
+  enum class Outcome : std::uint8_t { kDone, kIllegal, kLater };
+
+  Outcome tryCollapse(const Candidate& candidate) {
+    const std::uint32_t u = candidate.u;
+    const std::uint32_t v = candidate.v;
+    if (!topology.canCollapse(u, v, onBorder[u] != 0 && onBorder[v] != 0)) return Outcome::kIllegal;
+    WedgeMerge merge;
+    if (!checks.gather(u, v, singleWedge, merge)) return Outcome::kIllegal;
+    const Quadric quadric = error.merged(u, v, merge);
+    const glm::dvec3 edge = positions[v] - positions[u];
+    const double length2 = glm::dot(edge, edge);
+    for (const Place& place : places(u, v, quadric)) {
+      if (!checks.keepsFacing(u, v, place.p)) continue;
+      const double along = length2 > 0.0 ? std::clamp(glm::dot(place.p - positions[u], edge) / length2, 0.0, 1.0) : 0.5;
+      error.attributesAt(place.p, along, merge, values);
+      if (!checks.keepsTexture(u, v, merge, values)) continue;
+      const auto cost = static_cast<float>(place.cost);
+      if (cost > candidate.cost * 1.0001F) {  // a worse place than it queued for: wait for its turn
+        queue.push({cost, u, v, candidate.version});
+        return Outcome::kLater;
+      }
+      apply(u, v, place.p, merge);
+      return Outcome::kDone;
+    }
+    return Outcome::kIllegal;
+  }
+
+  void apply(std::uint32_t u, std::uint32_t v, const glm::dvec3& p, const WedgeMerge& merge) {
+    error.commit(u, v, merge, values);
+    topology.forEachCorner(u, [&](std::uint32_t corner) {
+      const auto [a, b] = CollapseTopology::others(corner);
+      if (topology.vertexAt(a) == v || topology.vertexAt(b) == v) topology.remove(corner / 3);
+    });
+    std::array<std::uint32_t, WedgeMerge::kMost> representative;
+    representative.fill(kNone);
+    for (std::size_t i = 0; i < merge.count; ++i)
+      if (representative[merge.group[i]] == kNone) representative[merge.group[i]] = merge.wedges[i];
+    for (const std::uint32_t vertex : {u, v}) {
+      topology.forEachCorner(vertex, [&](std::uint32_t corner) {
+        std::size_t i = 0;
+        while (merge.wedges[i] != topology.wedgeAt(corner))
+          ++i;
+        topology.setWedge(corner, representative[merge.group[i]]);
+      });
+    }
+    topology.merge(u, v);
+    positions[u] = p;
+    parent[v] = u;
+    onBorder[u] = onBorder[u] | onBorder[v];
+    locked[u] = locked[u] | locked[v];
+    ++version[u];
+    version[v] = kNone / 2;  // no sum with it ever fits again
+    noteWedges(u);
+    ++generation;
+    topology.forEachCorner(u, [&](std::uint32_t corner) {
+      for (const std::uint32_t other : CollapseTopology::others(corner)) {
+        const std::uint32_t n = topology.vertexAt(other);
+        if (seen[n] == generation) continue;
+        seen[n] = generation;
+        neighbours.push_back(n);
+      }
+    });
+    for (const std::uint32_t n : neighbours)
+      if (const auto candidate = assess(u, n)) queue.push(*candidate);
+    neighbours.clear();
+  }
+
+  /// Takes a loose part away unless that would go below `least` triangles.
+  Outcome removePart(std::uint32_t p, std::uint32_t least) {
+    const LoosePart& part = parts.parts[p];
+    const auto facesOf = std::span(parts.faces).subspan(part.firstFace, part.faceCount);
+    std::uint32_t alive = 0;
+    for (const std::uint32_t face : facesOf)
+      alive += topology.isAlive(face) ? 1U : 0U;
+    if (topology.faces() - alive < least) return Outcome::kIllegal;
+    for (const std::uint32_t face : facesOf) {
+      if (!topology.isAlive(face)) continue;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = topology.vertexAt(3 * face + k);
+        version[v] = kNone / 2;
+      }
+      topology.remove(face);
+    }
+    return Outcome::kDone;
+  }
+
+  bool isStale(const Candidate& candidate) const {
+    return candidate.v != kNone && version[candidate.u] + version[candidate.v] != candidate.version;
+  }
+
+  void run(std::uint32_t target) {
+    const std::uint32_t least = std::max(kMinLevelTriangles, target - target / 20);
+    std::vector<Candidate> waiting;  // illegal now, maybe not after their surroundings have changed
+    std::uint32_t facesAtRetry = topology.faces();
+    while (topology.faces() > target) {
+      if (queue.empty()) {
+        if (waiting.empty() || topology.faces() == facesAtRetry) break;
+        facesAtRetry = topology.faces();
+        for (const Candidate& candidate : waiting)
+          queue.push(candidate);
+        waiting.clear();
+        continue;
+      }
+      const Candidate candidate = queue.pop();
+      if (isStale(candidate)) continue;
+      const Outcome outcome = candidate.v == kNone ? removePart(candidate.u, least) : tryCollapse(candidate);
+      if (outcome == Outcome::kIllegal) waiting.push_back(candidate);
+    }
+    for (const Candidate& candidate : waiting)
+      queue.push(candidate);
+  }
+
+  const WedgeMesh& source;
+  std::vector<glm::dvec3> positions;  ///< unit frame
+  EdgeTable edges;
+  CollapseError error;
+  CollapseTopology topology;
+  CollapseChecks checks;
+  LooseParts parts;
+  std::vector<std::uint32_t> parent;       ///< vertex it was merged into
+  std::vector<std::uint32_t> version;      ///< collapses that went into it
+  std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
+  std::vector<std::uint8_t> onBorder, locked;
+  std::vector<std::uint32_t> seen, neighbours;
+  std::uint32_t generation = 0;
+  CollapseQueue queue;
+  std::vector<float> values;
+  glm::dvec3 center{0.0};
+  double scale = 1.0;
+};
+
+EdgeCollapser::EdgeCollapser(const WedgeMesh& mesh, const CollapseOptions& options)
+    : state_(std::make_unique<State>(mesh, options)) {}
+EdgeCollapser::~EdgeCollapser() = default;
+
+void EdgeCollapser::collapseTo(std::uint32_t target) {
+  state_->run(std::max(target, kMinLevelTriangles));
+}
+
+std::uint32_t EdgeCollapser::triangles() const {
+  return state_->topology.faces();
+}
+
+WedgeMesh EdgeCollapser::mesh() const {
+  const State& state = *state_;
+  WedgeMesh mesh;
+  mesh.slots = state.source.slots;
+  mesh.stride = state.source.stride;
+  std::vector<std::uint32_t> vertexAt(state.positions.size(), kNone);
+  std::vector<std::uint32_t> wedgeAt(state.source.vertexOf.size(), kNone);
+  for (std::uint32_t c = 0; c < state.source.corners.size(); ++c) {
+    if (!state.topology.isAlive(c / 3)) continue;
+    const std::uint32_t v = state.topology.vertexAt(c);
+    const std::uint32_t w = state.topology.wedgeAt(c);
+    if (vertexAt[v] == kNone) {
+      vertexAt[v] = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.emplace_back(state.center + state.scale * state.positions[v]);
+    }
+    if (wedgeAt[w] == kNone) {
+      wedgeAt[w] = static_cast<std::uint32_t>(mesh.vertexOf.size());
+      mesh.vertexOf.push_back(vertexAt[v]);
+      mesh.primitiveOf.push_back(state.source.primitiveOf[w]);
+      mesh.sourceWedge.push_back(w);
+      mesh.attributes.insert(mesh.attributes.end(), state.error.attributes(w), state.error.attributes(w) + mesh.stride);
+    }
+    mesh.corners.push_back(wedgeAt[w]);
+  }
+  return mesh;
+}
+
+std::vector<std::uint32_t> EdgeCollapser::vertexMap() const {
+  const State& state = *state_;
+  std::vector<std::uint32_t> compact(state.positions.size(), kGone);
+  std::uint32_t next = 0;
+  for (std::uint32_t c = 0; c < state.source.corners.size(); ++c) {
+    if (!state.topology.isAlive(c / 3)) continue;
+    std::uint32_t& index = compact[state.topology.vertexAt(c)];
+    if (index == kGone) index = next++;
+  }
+  std::vector<std::uint32_t> map(state.positions.size());
+  for (std::uint32_t v = 0; v < map.size(); ++v) {
+    std::uint32_t root = v;
+    while (state.parent[root] != root)
+      root = state.parent[root];
+    map[v] = compact[root];
+  }
+  return map;
+}
+
+}  // namespace jalousie::bake

@@ -1,0 +1,26 @@
+// The quick collapse for drafts: meshoptimizer, on the vertices that are there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/mesh/wedge_mesh.h"
+
+namespace jalousie::bake {
+
+/// Collapses half-edges until at most `target` triangles are left or nothing more can go. Attribute seams are kept
+/// first; where they leave too little freedom (flat-shaded meshes) each corner takes the wedge of its new vertex, in
+/// the same primitive, whose normal fits the triangle best.
+/// @param lockBorder  vertices of open borders stay
+/// @param corners  the level to start from, wedges of `mesh` in threes   @return  likewise
+std::vector<std::uint32_t> draftCorners(const WedgeMesh& mesh, const std::vector<std::uint32_t>& corners,
+                                        std::uint32_t target, bool lockBorder);
+
+/// The level with these corners, and for each vertex of `mesh` the level's, ~0 if it went.
+struct DraftLevel {
+  WedgeMesh mesh;
+  std::vector<std::uint32_t> vertexMap;
+};
+DraftLevel draftLevel(const WedgeMesh& mesh, const std::vector<std::uint32_t>& corners);
+
+}  // namespace jalousie::bake

@@ -1,0 +1,278 @@
+// Sampled means and percentiles, bounded maxima.
+#include "bake/simplify/measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "bake/mesh/union_find.h"
+
+namespace jalousie::bake {
+namespace {
+
+constexpr double kMargin = 1.05;       // of a maximum over what was found
+constexpr double kCloseEnough = 1.02;  // pieces whose bound is below this share of what was found are left alone
+
+/// Charts: wedges that triangles connect.
+std::vector<std::uint32_t> findCharts(const WedgeMesh& mesh) {
+  UnionFind wedges(mesh.vertexOf.size());
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c)
+    wedges.unite(mesh.corners[c], mesh.corners[c / 3 * 3]);
+  return wedges.roots();
+}
+
+/// One surface seen from the other, in one direction.
+struct Direction {
+  const WedgeMesh& from;
+  const WedgeMesh& to;
+  const TriangleBvh& bvh;                    ///< of `to`
+  std::span<const std::uint32_t> seeds;      ///< per vertex of `from` a triangle of `to`, or empty
+  std::span<const std::uint32_t> fromChart;  ///< per wedge of `from`
+  std::span<const std::uint32_t> toChart;
+  const SliceRunner& slices;
+
+  std::uint32_t seedOf(std::uint32_t vertex) const { return seeds.empty() ? TriangleBvh::kNoSeed : seeds[vertex]; }
+};
+
+/// Per-sample results; uv is negative where charts differ.
+struct Measured {
+  std::vector<double> distances, degrees, uvs;
+};
+
+glm::dvec2 uvAt(const WedgeMesh& mesh, const AttributeSlot& slot, std::uint32_t triangle, const glm::dvec3& b) {
+  glm::dvec2 uv(0.0);
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t w = mesh.corners[3 * std::size_t{triangle} + static_cast<std::size_t>(k)];
+    const float* value = &mesh.attributes[std::size_t{w} * mesh.stride + slot.offset];
+    uv += b[k] * glm::dvec2(value[0], value[1]);
+  }
+  return uv;
+}
+
+Measured measureSamples(const Direction& direction, const std::vector<SurfaceSample>& samples) {
+  const AttributeSlot* fromNormals = direction.from.slot("NORMAL");
+  const AttributeSlot* toNormals = direction.to.slot("NORMAL");
+  const AttributeSlot* fromUv = direction.from.slot("TEXCOORD_0");
+  const AttributeSlot* toUv = direction.to.slot("TEXCOORD_0");
+  Measured measured;
+  measured.distances.resize(samples.size());
+  measured.degrees.resize(samples.size());
+  measured.uvs.assign(samples.size(), -1.0);
+  direction.slices(samples.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t t = samples[i].triangle;
+      const glm::dvec3 b(samples[i].barycentric);
+      const std::uint32_t seed = direction.seedOf(direction.from.vertexAt(3 * std::size_t{t}));
+      const NearestPoint nearest = direction.bvh.nearest(positionAt(direction.from, t, b), seed);
+      measured.distances[i] = std::sqrt(nearest.distance2);
+      const glm::dvec3 n = shadingNormalAt(direction.from, fromNormals, t, b);
+      const glm::dvec3 m = shadingNormalAt(direction.to, toNormals, nearest.triangle, nearest.barycentric);
+      measured.degrees[i] = std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m)) * 180.0 / std::numbers::pi;
+      if (fromUv == nullptr || toUv == nullptr) continue;
+      if (direction.fromChart[direction.from.corners[3 * std::size_t{t}]] !=
+          direction.toChart[direction.to.corners[3 * std::size_t{nearest.triangle}]])
+        continue;
+      measured.uvs[i] = glm::length(uvAt(direction.from, *fromUv, t, b) -
+                                    uvAt(direction.to, *toUv, nearest.triangle, nearest.barycentric));
+    }
+  });
+  return measured;
+}
+
+/// A corner of a piece with a triangle near it, mostly the nearest, and the distance to that one.
+struct Probe {
+  glm::vec3 point{0.0F};
+  float distance = 0.0F;
+  std::uint32_t nearest = 0;
+};
+
+/// A part of a triangle. Its points are at most `bound` away.
+struct Piece {
+  std::array<Probe, 3> corners;
+  float bound = 0.0F;
+};
+
+/// Closes in on the largest distance in one direction.
+class MaximumSearch {
+ public:
+  MaximumSearch(const Direction& direction, double found, std::uint32_t searches)
+      : direction_(direction), found_(found), searches_(searches) {}
+
+  double run() {
+    probeVertices();
+    collectPieces();
+    while (!queue_.empty() && searches_ > 0 && queue_.front().bound > found_ * kCloseEnough) {
+      std::pop_heap(queue_.begin(), queue_.end(), isLess);
+      const Piece piece = queue_.back();
+      queue_.pop_back();
+      split(piece);
+    }
+    const double bound = std::max(found_, queue_.empty() ? 0.0 : double{queue_.front().bound});
+    return std::min(std::max(bound, found_ * kCloseEnough), found_ * kMargin);
+  }
+
+ private:
+  static bool isLess(const Piece& a, const Piece& b) { return a.bound < b.bound; }
+
+  Probe probe(const glm::vec3& point, std::uint32_t seed) const {
+    const NearestPoint nearest = direction_.bvh.nearest(point, seed);
+    return {point, static_cast<float>(std::sqrt(nearest.distance2)), nearest.triangle};
+  }
+
+  /// A vertex whose seed is well within what was found needs no search: any near triangle bounds its distance.
+  Probe probeVertex(const glm::vec3& point, std::uint32_t seed) const {
+    if (seed != TriangleBvh::kNoSeed) {
+      const TriangleBvh::Corners& t = direction_.bvh.corners(seed);
+      const double bound = std::sqrt(squaredDistanceToTriangle(point, t.a, t.b, t.c));
+      if (bound <= 0.5 * found_) return {point, static_cast<float>(bound), seed};
+    }
+    return probe(point, seed);
+  }
+
+  void probeVertices() {
+    vertices_.resize(direction_.from.positions.size());
+    direction_.slices(vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        vertices_[v] = probeVertex(direction_.from.positions[v], direction_.seedOf(static_cast<std::uint32_t>(v)));
+    });
+    for (const Probe& vertex : vertices_)
+      found_ = std::max(found_, double{vertex.distance});
+  }
+
+  /// At most the nearest corner's distance and the way from there.
+  static float lipschitzBound(const Piece& piece) {
+    float bound = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Probe& corner = piece.corners[k];
+      const float way = std::max(glm::distance(corner.point, piece.corners[(k + 1) % 3].point),
+                                 glm::distance(corner.point, piece.corners[(k + 2) % 3].point));
+      bound = std::min(bound, corner.distance + way);
+    }
+    return bound;
+  }
+
+  /// The least, over the corners' nearest triangles, of the largest distance of a corner to that triangle.
+  float convexBound(const Piece& piece) const {
+    float bound = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k > 0 && piece.corners[k].nearest == piece.corners[0].nearest) continue;
+      const TriangleBvh::Corners& t = direction_.bvh.corners(piece.corners[k].nearest);
+      double most = 0.0;
+      for (const Probe& corner : piece.corners)
+        most = std::max(most, squaredDistanceToTriangle(corner.point, t.a, t.b, t.c));
+      bound = std::min(bound, static_cast<float>(std::sqrt(most)));
+    }
+    return bound;
+  }
+
+  bool matters(Piece& piece) const {
+    piece.bound = lipschitzBound(piece);
+    if (piece.bound <= found_ * kCloseEnough) return false;
+    piece.bound = std::min(piece.bound, convexBound(piece));
+    return piece.bound > found_ * kCloseEnough;
+  }
+
+  void collectPieces() {
+    const WedgeMesh& mesh = direction_.from;
+    for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+      Piece piece{{vertices_[mesh.vertexAt(c)], vertices_[mesh.vertexAt(c + 1)], vertices_[mesh.vertexAt(c + 2)]}};
+      if (matters(piece)) queue_.push_back(piece);
+    }
+    std::make_heap(queue_.begin(), queue_.end(), isLess);
+  }
+
+  void split(const Piece& piece) {
+    searches_ -= std::min(searches_, 3U);
+    std::array<Probe, 3> middle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle[k] = probe(0.5F * (piece.corners[k].point + piece.corners[(k + 1) % 3].point), piece.corners[k].nearest);
+      found_ = std::max(found_, double{middle[k].distance});
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      keep({{piece.corners[k], middle[k], middle[(k + 2) % 3]}});
+    keep({{middle[0], middle[1], middle[2]}});
+  }
+
+  void keep(Piece piece) {
+    if (!matters(piece)) return;
+    queue_.push_back(piece);
+    std::push_heap(queue_.begin(), queue_.end(), isLess);
+  }
+
+  const Direction& direction_;
+  double found_;
+  std::uint32_t searches_;
+  std::vector<Probe> vertices_;
+  std::vector<Piece> queue_;
+};
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+Distances distanceOf(const Direction& direction, const Measured& measured, std::uint32_t searches) {
+  double found = 0.0;
+  for (const double distance : measured.distances)
+    found = std::max(found, distance);
+  return {MaximumSearch(direction, found, searches).run(), meanOf(measured.distances)};
+}
+
+/// Mean and 95th percentile of two lists together; negative values are left out.
+Spread spreadOf(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> values;
+  for (const std::vector<double>* list : {&a, &b})
+    std::copy_if(list->begin(), list->end(), std::back_inserter(values), [](double value) { return value >= 0.0; });
+  if (values.empty()) return {};
+  const double mean = meanOf(values);
+  const std::size_t rank = std::min(values.size() - 1, values.size() * 95 / 100);
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
+  return {mean, values[rank]};
+}
+
+}  // namespace
+
+DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& options)
+    : original_(original),
+      options_(options),
+      bvh_(original.positions, vertexIndices(original)),
+      samples_(sampleSurface(original, options.samples)),
+      chartOf_(findCharts(original)) {}
+
+Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap) const {
+  const TriangleBvh levelBvh(level.positions, vertexIndices(level));
+  std::vector<std::uint32_t> levelSeeds;
+  std::vector<std::uint32_t> originalSeeds;
+  if (!vertexMap.empty()) {
+    const std::vector<std::uint32_t> levelTriangle = triangleOfVertex(level);
+    const std::vector<std::uint32_t> originalTriangle = triangleOfVertex(original_);
+    originalSeeds.assign(original_.positions.size(), TriangleBvh::kNoSeed);
+    levelSeeds.assign(level.positions.size(), TriangleBvh::kNoSeed);
+    for (std::size_t v = 0; v < vertexMap.size(); ++v) {
+      if (vertexMap[v] == ~0U) continue;
+      originalSeeds[v] = levelTriangle[vertexMap[v]];
+      levelSeeds[vertexMap[v]] = originalTriangle[v];
+    }
+  }
+  std::vector<std::uint32_t> levelChart(level.vertexOf.size());
+  for (std::size_t w = 0; w < levelChart.size(); ++w)
+    levelChart[w] = level.sourceWedge[w] < chartOf_.size() ? chartOf_[level.sourceWedge[w]] : ~0U;
+
+  const Direction there{level, original_, bvh_, levelSeeds, levelChart, chartOf_, options_.slices};
+  const Direction back{original_, level, levelBvh, originalSeeds, chartOf_, levelChart, options_.slices};
+  const Measured to = measureSamples(there, sampleSurface(level, options_.samples));
+  const Measured from = measureSamples(back, samples_);
+  Deviation deviation;
+  deviation.toOriginal = distanceOf(there, to, options_.searches);
+  deviation.fromOriginal = distanceOf(back, from, options_.searches);
+  deviation.twoSided = {std::max(deviation.toOriginal.max, deviation.fromOriginal.max),
+                        0.5 * (deviation.toOriginal.mean + deviation.fromOriginal.mean)};
+  deviation.normalDegrees = spreadOf(to.degrees, from.degrees);
+  deviation.uv = spreadOf(to.uvs, from.uvs);
+  return deviation;
+}
+
+}  // namespace jalousie::bake

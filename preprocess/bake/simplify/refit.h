@@ -1,0 +1,30 @@
+// Moves the vertices of a level to where they fit the original surface best.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "bake/mesh/wedge_mesh.h"
+#include "bake/simplify/slices.h"
+
+namespace jalousie::bake {
+
+struct RefitOptions {
+  std::uint32_t rounds = 2;               ///< of projecting and solving
+  std::uint32_t samplesPerTriangle = 12;  ///< of the level
+  double mostSamples = 2.0;               ///< per triangle of the original
+  bool normals = true;                    ///< fit shading normals too
+  bool lockBorder = false;
+  SliceRunner slices = runInOneSlice;
+};
+
+/// Least squares of positions, then of normals, against points of the original. Each point s is projected onto the
+/// level, where it lands in a triangle with barycentric weights b; the positions x minimise sum |sum_k b_k x_k - s|^2 +
+/// damping sum |x - x_0|^2, solved with conjugate gradients. Triangles that would turn over keep their vertices where
+/// they were.
+/// @param level     changed in place   @param vertexMap  for each vertex of the original the one of the level it
+/// became, or ~0; it starts the searches
+void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertexMap, const RefitOptions& options,
+                WedgeMesh& level);
+
+}  // namespace jalousie::bake

@@ -1,0 +1,28 @@
+// Limits on what a document may ask for, and the observer of the files that it refers to.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace jalousie::asset {
+
+/// Limits on what a document may ask for; exceeded ones throw kLimit before anything is allocated.
+struct Limits {
+  std::uint64_t maxFileBytes = 2ULL << 30U;         ///< any single file read, buffers included
+  std::uint32_t maxJsonDepth = 64;                  ///< nesting of arrays and objects
+  std::uint64_t maxJsonElements = 20'000'000;       ///< commas in the JSON, a bound on its values
+  std::uint64_t maxAccessorElements = 1ULL << 28U;  ///< elements of one accessor
+  std::uint64_t maxEmptyElements = 1ULL << 22U;     ///< elements of all accessors without data, which cost no byte
+  std::uint64_t maxInstances = 1ULL << 24U;         ///< objects after flattening the node hierarchy
+  std::uint32_t maxImageSide = 16384;               ///< pixels
+};
+
+/// Called for every file that is read beside the document itself. @param name  relative to the document's folder
+/// @param bytes  the file's content; absent if the file does not exist. The function may be empty.
+using ReadObserver = std::function<void(const std::string& name, std::optional<std::span<const std::byte>> bytes)>;
+
+}  // namespace jalousie::asset

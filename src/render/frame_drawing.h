@@ -1,0 +1,34 @@
+// Draws a decided frame: the objects, and what the debug view shows of them.
+#pragma once
+
+#include "render/debug_views.h"
+#include "render/frame_options.h"
+#include "render/methods/cull_method.h"
+
+namespace jalousie::render {
+
+/// Draws frames of one renderer. Borrows the context.
+class FrameDrawing {
+ public:
+  /// Builds the programs of the debug views. Errors: kShader.
+  FrameDrawing(const FrameContext& frame, const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
+      : frame_(frame), views_(scene, shaders) {}
+
+  /// Draws what the method decided, and counts visible pixels where the context says so.
+  void draw(const FrameOptions& options, CullMethod& method);
+  /// Draws the object numbers of the last frame into Targets::ids.
+  void drawIds() const;
+  /// Forgets what depends on the size of the screen.
+  void resize() { views_.resize(); }
+
+ private:
+  bool twoPhases() const { return (frame_.cullView.traits & gpu::kTraitTwoPhases) != 0; }
+  void countPixels() const;
+  void drawObjects(const gl::Framebuffer& target, bool earlyIsThere) const;
+  void drawView(const FrameOptions& options, bool frozen);
+
+  const FrameContext& frame_;
+  DebugViews views_;
+};
+
+}  // namespace jalousie::render

@@ -1,0 +1,57 @@
+// What a renderer is made for, and what one frame draws and how it decides it: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "policy/frame_policy.h"
+#include "shared/limits.h"
+#include "visibility/submission.h"
+
+namespace jalousie::gl {
+class ShaderLibrary;
+}
+namespace jalousie::visibility {
+class ImportanceMask;
+}
+
+namespace jalousie::render {
+
+/// Pixels are counted in one frame of so many; a count is used until the next (docs/level_of_visibility.md).
+inline constexpr std::uint32_t kCountInterval = 4;
+
+/// What to draw and how to decide it, frame by frame.
+struct FrameOptions : FramePolicy {
+  float tau = 1.0F;     ///< screen-space error allowed, pixels; LodRule::kLvError allows partly occluded objects more
+  float relax = 64.0F;  ///< LodRule::kLvError: tau grows to at most tau * (1 + relax)
+  float hysteresis = gpu::kDefaultHysteresis;      ///< calm: keep a level while tau * hysteresis and tau / hysteresis
+                                                   ///< allow it; >= 1
+  gpu::uint fadeFrames = gpu::kDefaultFadeFrames;  ///< calm: frames of a cross-fade, <= kMaxFadeFrames; 0: none
+  /// Objects whose bounding rectangle covers fewer pixels are not drawn; 0: all are.
+  float minPixels = 0.0F;
+  /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
+  gpu::uint maxTessellation = gpu::kMaxTessellationLevel;
+  gpu::uint mapLevel = 0;  ///< level shown by View::kOcclusion
+  bool boxes = false;      ///< outline every object's bounding rectangle; nothing where the culling camera is frozen
+  /// World units; objects nearer than this are occluders. Absent: automaticOccluderDistance().
+  std::optional<float> occluderDistance;
+  /// Screen-space error of the levels drawn into the occlusion map, pixels. Absent: CullModeRow::occluderTau.
+  std::optional<float> occluderTau;
+  float cullThreshold = 1.0F;  ///< opacity from which a texel occludes; below 1 is not conservative
+  bool skipDraw = false;       ///< leave out what only the picture needs: statistics without a picture
+};
+
+/// What a renderer allocates and which paths it takes.
+struct RendererOptions {
+  visibility::Submission submission = visibility::Submission::kInstanced;
+  bool fastPaths = true;  ///< use extensions where the driver has them; the results are the same
+  /// Most instances one draw list holds; absent: all objects. Further instances are not drawn; they are counted and
+  /// reported.
+  std::optional<std::uint32_t> capacity = {};
+  /// Scales tau and minPixels by region; only read by the constructor. May be null.
+  const visibility::ImportanceMask* importance = nullptr;
+  /// Where shader texts come from; null: the embedded ones. Only read by the constructor.
+  const gl::ShaderLibrary* shaders = nullptr;
+};
+
+}  // namespace jalousie::render

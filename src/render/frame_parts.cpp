@@ -1,0 +1,81 @@
+// Construction of a renderer's parts, and what they compute for a frame.
+#include "render/frame_parts.h"
+
+#include <algorithm>
+
+#include "render/tessellation_limit.h"
+
+namespace jalousie::render {
+namespace {
+
+gl::Capabilities capabilitiesFor(const RendererOptions& options) {
+  const gl::Capabilities capabilities = gl::queryCapabilities();
+  return options.fastPaths ? capabilities : capabilities.withoutFastPaths();
+}
+
+visibility::DrawListOptions listOptions(const scene::SceneData& scene, const RendererOptions& options) {
+  const auto objects = static_cast<std::uint32_t>(scene.objects.size());
+  const std::uint32_t most = 2 * objects;  // a cross-faded object is on the list twice
+  return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
+}
+
+}  // namespace
+
+FrameRenderer::Parts::Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
+                            const RendererOptions& options, const gl::ShaderLibrary& shaders)
+    : scene(sceneData),
+      capabilities(capabilitiesFor(options)),
+      tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
+      fullTriangles(countFullTriangles(scene)),
+      buffers(scene),
+      targets(width, height),
+      map(visibility::mapLayout(width, height), &targets.depth, shaders),
+      pyramid(visibility::mapLayout(width, height), capabilities, shaders),
+      objects(buffers.objectCount()),
+      visibility(objects, options.importance, shaders),
+      lists(scene, shaders),
+      early(scene, gpu::kMarkEarly, listOptions(scene, options)),
+      late(scene, gpu::kMarkLate, listOptions(scene, options)),
+      statistics(shaders),
+      draw(capabilities, shaders),
+      context{cullView, drawView, counting, timer,   buffers, visibility, lists,
+              early,    late,     draw,     targets, map,     pyramid},
+      drawing(context, scene, shaders) {
+  methods.resize(width, height);
+}
+
+void FrameRenderer::Parts::setViews(const FrameOptions& options, const scene::Camera& cullCamera,
+                                    const scene::Camera& drawCamera) {
+  const ViewSetting setting{targets.width,       targets.height,    buffers.objectCount(),
+                            map.layout().levels, tessellationLimit, scene.boundsWorld};
+  cullMode = options.cullMode;
+  cullView = makeCullView(options, cullCamera, setting);
+  drawView = makeDrawView(options, drawCamera, setting, cullView);
+  counting = countsNow(options);
+  visibility.setView(cullView);
+}
+
+bool FrameRenderer::Parts::countsNow(const FrameOptions& options) {
+  const bool wanted = countsPixels(options);
+  const bool now = wanted && countAge + 1 >= kCountInterval;
+  countAge = now ? 0 : wanted ? countAge + 1 : kCountInterval;
+  return now;
+}
+
+std::optional<FrameStatistics> FrameRenderer::Parts::statisticsOf(
+    const std::optional<visibility::FrameRecord>& record) const {
+  if (!record) return std::nullopt;
+  const gpu::CullView& view = record->view;
+  const bool usesEarly = (view.traits & gpu::kTraitTestsOcclusion) != 0;
+  const bool drawsEarly = (view.traits & gpu::kTraitTwoPhases) != 0;
+  const std::uint64_t dropped =
+      record->late[gpu::kCountDropped] + std::uint64_t{usesEarly ? record->early[gpu::kCountDropped] : 0};
+  FrameStatistics result = makeStatistics(record->counters, view, fullTriangles, dropped);
+  result.frame = record->frame;
+  const std::uint32_t first = (view.traits & gpu::kTraitPatches) != 0 ? gpu::kListsPerDetail : 0;
+  for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)
+    result.draws += record->late[list] + (drawsEarly ? record->early[list] : 0);
+  return result;
+}
+
+}  // namespace jalousie::render

@@ -1,0 +1,52 @@
+// What a FrameRenderer consists of.
+#pragma once
+
+#include "gl/capabilities.h"
+#include "gl/pass_timer.h"
+#include "render/frame_drawing.h"
+#include "render/frame_renderer.h"
+#include "render/frame_views.h"
+#include "render/make_statistics.h"
+#include "render/methods/method_table.h"
+#include "scene/scene_data.h"
+#include "visibility/statistics_pass.h"
+
+namespace jalousie::render {
+
+/// Members refer to each other through the context, so the parts stay where they were made.
+struct FrameRenderer::Parts {
+  Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height, const RendererOptions& options,
+        const gl::ShaderLibrary& shaders);
+
+  const scene::SceneData& scene;
+  gl::Capabilities capabilities;
+  gpu::uint tessellationLimit;
+  FullTriangles fullTriangles;
+  SceneBuffers buffers;
+  Targets targets;
+  visibility::OcclusionMapPass map;
+  visibility::DepthPyramidPass pyramid;
+  visibility::ObjectStore objects;
+  visibility::VisibilityPass visibility;
+  visibility::DrawListPass lists;
+  visibility::DrawList early;
+  visibility::DrawList late;
+  visibility::StatisticsPass statistics;
+  DrawPass draw;
+  gl::PassTimer timer;
+  gpu::CullView cullView{};
+  gpu::DrawView drawView{};
+  CullMode cullMode = CullMode::kFull;      ///< of the last frame
+  bool counting = false;                    ///< this frame's visible pixels are counted
+  std::uint32_t countAge = kCountInterval;  ///< frames since they last were
+  MethodTable methods;
+  FrameContext context;
+  FrameDrawing drawing;
+
+  void setViews(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera);
+  /// Whether this frame's visible pixels are counted: one frame in kCountInterval, where LV needs them.
+  bool countsNow(const FrameOptions& options);
+  std::optional<FrameStatistics> statisticsOf(const std::optional<visibility::FrameRecord>& record) const;
+};
+
+}  // namespace jalousie::render

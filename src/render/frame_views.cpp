@@ -1,0 +1,70 @@
+// Cameras and options to uniform blocks.
+#include "render/frame_views.h"
+
+#include <algorithm>
+
+#include "scene/patch_base.h"
+
+namespace jalousie::render {
+namespace {
+
+/// Depth of the occluder layer as a share of the scene's diagonal (docs/occlusion_map.md).
+constexpr float kOccluderDepth = 0.12F;
+
+float aspectOf(const ViewSetting& setting) {
+  return static_cast<float>(setting.width) / static_cast<float>(setting.height);
+}
+
+}  // namespace
+
+float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorld) {
+  if (sceneWorld.empty()) return 0.0F;
+  const glm::vec3 outside = glm::max(glm::max(sceneWorld.min - eyeWorld, eyeWorld - sceneWorld.max), glm::vec3(0.0F));
+  return glm::length(outside) + kOccluderDepth * sceneWorld.diagonal();
+}
+
+gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& camera, const ViewSetting& setting) {
+  const glm::vec3 eye = camera.positionWorld();
+  gpu::CullView view{};
+  view.clipFromWorld = scene::clipFromWorld(camera, aspectOf(setting));
+  view.cameraWorld = glm::vec4(eye, camera.zNear);
+  view.viewportWidth = setting.width;
+  view.viewportHeight = setting.height;
+  view.objectCount = setting.objectCount;
+  view.traits = traitsOf(options);
+  view.analyse = wantsLv(options) ? 1 : 0;
+  view.mapLevels = setting.mapLevels;
+  view.occluderDistance = options.occluderDistance.value_or(automaticOccluderDistance(eye, setting.sceneWorld));
+  view.cullThreshold = options.cullThreshold;
+  view.maxTessellation = std::min(options.maxTessellation, setting.tessellationLimit);
+  view.focalPixels = scene::focalPixels(camera, setting.height);
+  view.tau = options.tau;
+  view.occluderTau = options.occluderTau.value_or(rowOf(options.cullMode).occluderTau);
+  view.minPixels = options.minPixels;
+  view.relax = options.relax;
+  view.calm = options.calm ? 1 : 0;
+  view.measureCover = rowOf(options.view).measuresCover ? 1 : 0;
+  view.hysteresis = options.hysteresis;
+  view.fadeFrames = std::min(options.fadeFrames, gpu::kMaxFadeFrames);
+  return view;
+}
+
+gpu::DrawView makeDrawView(const FrameOptions& options, const scene::Camera& camera, const ViewSetting& setting,
+                           const gpu::CullView& cull) {
+  gpu::DrawView view{};
+  view.clipFromWorld = scene::clipFromWorld(camera, aspectOf(setting));
+  view.cameraWorld = glm::vec4(camera.positionWorld(), 1.0F);
+  view.lightWorld = glm::vec4(glm::normalize(glm::vec3(0.35F, 1.0F, 0.45F)), 0.0F);
+  view.view = static_cast<gpu::uint>(options.view);
+  view.patches = rowOf(options.detail).patches ? 1 : 0;
+  view.mapLevel = std::min(options.mapLevel, setting.mapLevels - 1);
+  view.phongAlpha = scene::kPhongAlpha;
+  view.viewportWidth = setting.width;
+  view.viewportHeight = setting.height;
+  view.maxTessellation = cull.maxTessellation;
+  view.depthGuard = 0.0F;
+  view.fadeFrames = cull.fadeFrames;
+  return view;
+}
+
+}  // namespace jalousie::render

@@ -1,0 +1,23 @@
+// Names for the figures that the GPU counts.
+#pragma once
+
+#include "render/frame_statistics.h"
+#include "scene/scene_data.h"
+#include "shared/frame_structs.h"
+#include "visibility/frame_counters.h"
+
+namespace jalousie::render {
+
+/// Triangles of all objects at their finest, on both detail paths. Counted once per scene.
+struct FullTriangles {
+  std::uint64_t discrete = 0;
+  std::uint64_t patchBase = 0;  ///< before tessellation
+  std::uint32_t maxLods = 0;    ///< longest chain
+};
+FullTriangles countFullTriangles(const scene::SceneData& scene);
+
+/// Figures by name. @param dropped  instances that the frame's lists had no room for
+FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
+                               const FullTriangles& full, std::uint64_t dropped);
+
+}  // namespace jalousie::render

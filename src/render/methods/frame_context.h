@@ -1,0 +1,44 @@
+// What a culling method works with while it decides one frame.
+#pragma once
+
+#include "gl/pass_timer.h"
+#include "render/draw_pass.h"
+#include "render/scene_buffers.h"
+#include "render/targets.h"
+#include "visibility/depth_pyramid_pass.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/occlusion_map_pass.h"
+#include "visibility/visibility_pass.h"
+
+namespace jalousie::render {
+
+/// Borrows everything from the renderer, for as long as the renderer lives. Nothing here allocates.
+/// A method reads the views, fills lists and draws; what it decides ends in the objects' flags (kMark...).
+struct FrameContext {
+  const gpu::CullView& cullView;  ///< of the present frame
+  const gpu::DrawView& drawView;
+  const bool& counting;  ///< this frame's visible pixels are counted: the frame is drawn with object numbers beside it
+  gl::PassTimer& timer;
+  SceneBuffers& scene;
+  visibility::VisibilityPass& visibility;
+  visibility::DrawListPass& lists;
+  visibility::DrawList& early;  ///< objects flagged kMarkEarly
+  visibility::DrawList& late;   ///< objects flagged kMarkLate
+  DrawPass& draw;
+  const Targets& targets;
+  visibility::OcclusionMapPass& map;      ///< shared by the methods that use a map
+  visibility::DepthPyramidPass& pyramid;  ///< shared by the methods that use depth
+
+  /// Fills a list with the objects that the flags put on it.
+  void buildList(visibility::DrawList& list, const char* pass) const;
+  /// Draws from the culling camera. @param depthGuard  as in gpu::DrawView
+  void setCullingCamera(float depthGuard = 0.0F) const;
+  /// Draws one part of a list into the bound framebuffer.
+  void drawList(DrawKind kind, DrawPart part, const visibility::DrawList& list) const;
+  /// Builds the depth pyramid of the frame's depth.
+  void buildPyramid(visibility::DepthSource source) const;
+  /// Runs the occlusion test and LV of the pending objects against what the mode's traits name.
+  void analyse() const;
+};
+
+}  // namespace jalousie::render

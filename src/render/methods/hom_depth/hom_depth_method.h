@@ -1,0 +1,16 @@
+// Hierarchical occlusion map in which a texel occludes only what lies behind it (docs/occlusion_map.md).
+#pragma once
+
+#include "render/methods/cull_method.h"
+
+namespace jalousie::render {
+
+/// As HomMethod, with the occluders' depth: a depth pyramid of the covered pixels stands beside the map.
+class HomDepthMethod : public CullMethod {
+ public:
+  void decide(const FrameContext& frame) noexcept override;
+  void redrawCover(const FrameContext& frame) noexcept override;
+  void showCover(const FrameContext& frame) noexcept override;
+};
+
+}  // namespace jalousie::render

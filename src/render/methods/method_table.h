@@ -1,0 +1,26 @@
+// Which class implements which culling mode.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "policy/cull_mode.h"
+#include "render/methods/cull_method.h"
+
+namespace jalousie::render {
+
+/// The methods of one renderer, one per row of cullModeTable().
+class MethodTable {
+ public:
+  /// Builds the programs of every method. Errors: kShader.
+  MethodTable();
+
+  CullMethod& operator[](CullMode mode) const { return *methods_[static_cast<std::size_t>(mode)]; }
+  /// Tells every method about the size of the screen, pixels.
+  void resize(std::uint32_t width, std::uint32_t height) const;
+
+ private:
+  std::vector<std::unique_ptr<CullMethod>> methods_;  ///< [cullModeTable().size()]
+};
+
+}  // namespace jalousie::render

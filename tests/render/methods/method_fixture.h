@@ -1,0 +1,40 @@
+// One scene and camera for the tests of the culling methods: objects inside and outside the frustum, some occluded.
+#pragma once
+
+#include "render/frame_renderer.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
+#include "support/culling.h"
+#include "support/gl_test.h"
+#include "support/scenes.h"
+
+namespace jalousie::render {
+
+inline constexpr std::uint32_t kMethodWidth = 320;
+inline constexpr std::uint32_t kMethodHeight = 180;
+
+class MethodGl : public test::GlTest {
+ protected:
+  MethodGl()
+      : scene_(scene::buildScene(test::randomSpheres(400, 6.0F, 21))),
+        camera_(scene::lookAt({0, 0, 7}, {0.5F, 0, 0}, scene_.boundsWorld)) {}
+
+  /// Levels by screen-space error alone, so that modes can be compared.
+  static FrameOptions options(CullMode mode) {
+    FrameOptions result = test::pixelErrorOptions();
+    result.cullMode = mode;
+    return result;
+  }
+
+  /// Renders frames from the same camera. @param renderer  keeps its history
+  FrameStatistics settle(FrameRenderer& renderer, CullMode mode, int frames = 3) const {
+    for (int frame = 0; frame < frames; ++frame)
+      renderer.render(options(mode), camera_, camera_);
+    return renderer.readStatistics();
+  }
+
+  scene::SceneData scene_;
+  scene::Camera camera_;
+};
+
+}  // namespace jalousie::render
