@@ -1,4 +1,4 @@
-// One pass over the objects, one over the chains.
+// Lays out tiles and bins in one pass over the chains and their objects.
 #include "scene/bin_layout.h"
 
 #include <algorithm>
