@@ -12,8 +12,6 @@ const uint kObjectGroupSize = 64u;
 const uint kScanGroupSize = 256u;
 const uint kScanEntriesPerThread = 4u;
 const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
-/// Most blocks one prefix sum can have: their totals are summed by one workgroup. 2^20 entries.
-const uint kMaxScanBlocks = 1024u;
 /// Open chord in pixels at the end of the scale of the hole view; it is logarithmic.
 const float kHoleScalePixels = 256.0;
 /// Surfaces per pixel at the end of the scale of the overdraw view; it is logarithmic too.

@@ -1,7 +1,7 @@
 // Marks what the frame did not draw, at its coarsest level, for a draw list of its own (the ghost view).
 //
 // One thread: one object. Reads objects, chains, states, marks. Writes ghostStates, ghostMarks.
-// Barrier owed: SHADER_STORAGE for bin_objects.comp.
+// Barrier owed: SHADER_STORAGE for bin_objects.comp. CPU twin: src/visibility/ghost_reference.cpp
 #version 450 core
 #include "shared/limits.h"
 #include "shared/scene_structs.h"

@@ -1,7 +1,8 @@
-// Exclusive prefix sum of one block of kScanBlock numbers, in place.
+// Exclusive prefix sums of blocks of kScanBlock numbers, in place.
 //
 // First dispatch: one workgroup per block of entries, which also writes the block's total. Second dispatch, with
-// JAL_SCAN_SUMS: one workgroup over the totals. Integer sums, so the result does not depend on the order.
+// JAL_SCAN_SUMS: one workgroup sums up the totals, kScanBlock of them per round, and carries the sum from round to round;
+// up to 2^20 entries take one round. The sums are integers, so the result does not depend on the order of additions.
 // Barrier owed: SHADER_STORAGE. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -23,9 +24,11 @@ uint number(uint index) { return index + 1u < listView.entryCount ? entries[inde
 void setNumber(uint index, uint value) { if (index < listView.entryCount) entries[index] = value; }
 #endif
 
-void main() {
+/// Replaces the numbers of a block by the carry plus the sums of the numbers before them.
+/// @return  sum of the block's numbers, the same in every thread
+uint scanBlock(uint block, uint carry) {
   uint lane = gl_LocalInvocationID.x;
-  uint first = gl_WorkGroupID.x * kScanBlock + lane * kScanEntriesPerThread;
+  uint first = block * kScanBlock + lane * kScanEntriesPerThread;
   uint own[kScanEntriesPerThread];
   uint total = 0u;
   for (uint k = 0u; k < kScanEntriesPerThread; ++k) {
@@ -40,12 +43,23 @@ void main() {
     sums[lane] += before;
     barrier();
   }
-  uint running = sums[lane] - total;
+  uint running = carry + sums[lane] - total;
   for (uint k = 0u; k < kScanEntriesPerThread; ++k) {
     setNumber(first + k, running);
     running += own[k];
   }
-#ifndef JAL_SCAN_SUMS
-  if (lane == kScanGroupSize - 1u) blockSums[gl_WorkGroupID.x] = sums[lane];
+  return sums[kScanGroupSize - 1u];
+}
+
+void main() {
+#ifdef JAL_SCAN_SUMS
+  uint carry = 0u;
+  for (uint block = 0u; block * kScanBlock < numberCount(); ++block) {
+    carry += scanBlock(block, carry);
+    barrier();  // the next round overwrites sums
+  }
+#else
+  uint total = scanBlock(gl_WorkGroupID.x, 0u);
+  if (gl_LocalInvocationID.x == 0u) blockSums[gl_WorkGroupID.x] = total;
 #endif
 }

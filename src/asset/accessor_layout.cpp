@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <optional>
 
 #include "core/error.h"
 
@@ -14,13 +15,12 @@ namespace {
   throw Error(ErrorCode::kMalformed, message);
 }
 
-/// Elements of a sparse block's half, which is always tightly packed.
-Elements packedElements(const tinygltf::Model& model, int view, int byteOffset, std::uint32_t elementSize,
-                        std::uint64_t count, int accessor) {
-  const std::span<const std::byte> bytes = viewBytes(model, view);
-  if (byteOffset < 0 || !fits(bytes.size(), static_cast<std::uint64_t>(byteOffset), elementSize, elementSize, count))
-    malformed(fmt::format("accessor {}: sparse data outside its buffer view", accessor));
-  return {bytes.data() + byteOffset, elementSize, count};
+/// The indices or the values of a sparse accessor, which are always tightly packed. Nullopt if they exceed the view.
+std::optional<Elements> packedElements(std::span<const std::byte> view, int byteOffset, std::uint32_t elementSize,
+                                       std::uint64_t count) {
+  if (byteOffset < 0 || !fits(view.size(), static_cast<std::uint64_t>(byteOffset), elementSize, elementSize, count))
+    return std::nullopt;
+  return Elements{view.data() + byteOffset, elementSize, count};
 }
 
 }  // namespace
@@ -128,10 +128,13 @@ SparseElements sparseElements(const tinygltf::Model& model, int accessor) {
       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
     malformed(fmt::format("accessor {}: sparse index type not allowed", accessor));
   const auto count = static_cast<std::uint64_t>(sparse.count);
-  return {packedElements(model, sparse.indices.bufferView, sparse.indices.byteOffset, componentBytes(type), count,
-                         accessor),
-          packedElements(model, sparse.values.bufferView, sparse.values.byteOffset,
-                         elementBytes(source.type, source.componentType), count, accessor)};
+  const std::optional<Elements> indices = packedElements(viewBytes(model, sparse.indices.bufferView),
+                                                         sparse.indices.byteOffset, componentBytes(type), count);
+  const std::optional<Elements> values =
+      packedElements(viewBytes(model, sparse.values.bufferView), sparse.values.byteOffset,
+                     elementBytes(source.type, source.componentType), count);
+  if (!indices || !values) malformed(fmt::format("accessor {}: sparse data outside its buffer view", accessor));
+  return {*indices, *values};
 }
 
 }  // namespace jalousie::asset::detail

@@ -26,13 +26,19 @@ int appendView(tinygltf::Model& model, std::span<const std::byte> bytes, int tar
   return static_cast<int>(model.bufferViews.size()) - 1;
 }
 
-int appendAccessor(tinygltf::Model& model, std::span<const std::byte> bytes, std::size_t count, int type,
-                   int componentType, int target) {
+/// How an accessor reads its view: TINYGLTF_TYPE_... and TINYGLTF_COMPONENT_TYPE_...
+struct Layout {
+  int type;
+  int componentType;
+};
+
+int appendAccessor(tinygltf::Model& model, std::span<const std::byte> bytes, std::size_t count, Layout layout,
+                   int target) {
   JAL_CHECK(count > std::size_t{0});
   tinygltf::Accessor accessor;
   accessor.bufferView = appendView(model, bytes, target);
-  accessor.componentType = componentType;
-  accessor.type = type;
+  accessor.componentType = layout.componentType;
+  accessor.type = layout.type;
   accessor.count = count;
   model.accessors.push_back(std::move(accessor));
   return static_cast<int>(model.accessors.size()) - 1;
@@ -40,7 +46,7 @@ int appendAccessor(tinygltf::Model& model, std::span<const std::byte> bytes, std
 
 template <class Vector>
 int appendFloats(tinygltf::Model& model, std::span<const Vector> values, int type, int target) {
-  return appendAccessor(model, std::as_bytes(values), values.size(), type, TINYGLTF_COMPONENT_TYPE_FLOAT, target);
+  return appendAccessor(model, std::as_bytes(values), values.size(), {type, TINYGLTF_COMPONENT_TYPE_FLOAT}, target);
 }
 
 }  // namespace
@@ -88,13 +94,13 @@ int appendIndices(tinygltf::Model& model, std::span<const std::uint32_t> values)
   constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
   const bool small = std::all_of(values.begin(), values.end(), [](std::uint32_t v) { return v < 65535U; });
   if (!small)
-    return appendAccessor(model, std::as_bytes(values), values.size(), TINYGLTF_TYPE_SCALAR,
-                          TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kTarget);
+    return appendAccessor(model, std::as_bytes(values), values.size(),
+                          {TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT}, kTarget);
   std::vector<std::uint16_t> shorts(values.size());
   std::transform(values.begin(), values.end(), shorts.begin(),
                  [](std::uint32_t v) { return static_cast<std::uint16_t>(v); });
   return appendAccessor(model, std::as_bytes(std::span<const std::uint16_t>(shorts)), shorts.size(),
-                        TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kTarget);
+                        {TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}, kTarget);
 }
 
 }  // namespace jalousie::asset

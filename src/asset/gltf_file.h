@@ -1,5 +1,5 @@
-// Loads and saves glTF 2.0 documents: the seam around tinygltf, where its bool and string results become Error and
-// where size, nesting and paths are checked before it sees a byte.
+// Loads and saves glTF 2.0 documents. This unit wraps tinygltf: it turns bool and string results into Error, and it
+// checks size, nesting and paths before tinygltf reads a byte.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -22,7 +22,8 @@ namespace jalousie::asset {
 /// kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required extension), kLimit.
 tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {},
                          const ReadObserver& observer = {});
-/// As loadGltf, for a document that is in memory already. @param path  where it comes from, and other files are sought
+/// As loadGltf, for a document that is in memory already. @param path  the document's file: for messages, and its
+/// folder is where external files are searched
 tinygltf::Model parseGltf(std::span<const std::byte> bytes, const std::filesystem::path& path,
                           const Limits& limits = {}, const ReadObserver& observer = {});
 

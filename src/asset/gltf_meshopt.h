@@ -1,4 +1,4 @@
-// EXT_meshopt_compression, both ways, between a document's JSON and its bytes.
+// EXT_meshopt_compression: decodes and encodes buffer views, given a document's JSON and its buffers.
 #pragma once
 
 #include <cstdint>

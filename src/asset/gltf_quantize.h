@@ -1,4 +1,4 @@
-// Smaller numbers: KHR_mesh_quantization.
+// KHR_mesh_quantization: stores vertex attributes as small integers.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -6,9 +6,8 @@
 namespace jalousie::asset {
 
 /// Stores vertex attributes of triangle meshes as small integers:
-///   POSITION    3 x 16 bits, normalised, on a cube around the mesh and all its levels of detail; off by at most half
-///   of
-///               1/65535 of the cube's side along each axis
+///   POSITION    3 x 16 bits, normalised, on a cube around the mesh and all its levels of detail; the error is at
+///               most half of 1/65535 of the cube's side along each axis
 ///   NORMAL      3 x 8 bits, normalised; off by at most 0.4 degrees
 ///   TANGENT     4 x 8 bits, normalised, handedness exact
 ///   TEXCOORD_n  2 x 16 bits, normalised, where every value of the primitive lies in [0, 1]

@@ -1,4 +1,4 @@
-// The bytes a glTF document points to: external files confined to its folder, data URIs, the binary chunk.
+// Loads the bytes that a glTF document refers to: external files in its folder, data URIs, the binary chunk.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace jalousie::asset::detail {
 
-/// Loads what URIs name. All resources of a document together stay below Limits::maxFileBytes, and copies of the same
-/// bytes below a multiple of what the document brings.
+/// Loads the resources that URIs name. All resources of a document together stay below Limits::maxFileBytes, and copies
+/// of the same bytes below a multiple of what the document brings.
 class ResourceLoader {
  public:
   ResourceLoader(std::filesystem::path document, const Limits& limits, ReadObserver observer);

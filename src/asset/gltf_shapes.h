@@ -1,4 +1,4 @@
-// The shape of glTF JSON where tinygltf passes over what does not fit.
+// Checks the shape of glTF JSON where tinygltf ignores values of the wrong shape.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,8 @@
 
 namespace jalousie::asset::detail {
 
-/// Checks that lists are lists, that numbers of nodes and materials are as many as they must be, and that required
-/// members are there: tinygltf leaves out what has another shape, and a document would mean something else than it
-/// says.
+/// Checks that lists are arrays, that nodes and materials hold as many numbers as glTF requires, and that required
+/// members exist. tinygltf ignores members of another shape, so the loaded document would differ from the file.
 /// @pre every top-level member of a known name is an array of objects. Errors: kMalformed.
 void checkShapes(const nlohmann::json& document, const std::filesystem::path& file);
 

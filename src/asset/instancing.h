@@ -1,4 +1,4 @@
-// EXT_mesh_gpu_instancing: one node, many transforms.
+// EXT_mesh_gpu_instancing: reads and writes the transforms of a node's instances.
 #pragma once
 
 #include <tiny_gltf.h>

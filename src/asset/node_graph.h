@@ -1,4 +1,4 @@
-// Roots and transforms of a glTF document's nodes.
+// Finds the roots and the transforms of a glTF document's nodes.
 #pragma once
 
 #include <tiny_gltf.h>

@@ -1,4 +1,4 @@
-// Reading below a folder by names that come from a hostile file.
+// Reads files below a folder by names that come from an untrusted file.
 #pragma once
 
 #include <cstddef>

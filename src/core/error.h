@@ -16,7 +16,7 @@ enum class ErrorCode : int {
   kMalformed = 5,       ///< the content breaks its format
   kUnsupported = 6,     ///< valid content this version cannot handle
   kLimit = 7,           ///< refused before allocation: larger or deeper than the limits allow
-  kWriteFailed = 8,     ///< the output could not be written; what was there before is intact
+  kWriteFailed = 8,     ///< the output could not be written; existing files are unchanged
   kNoGpu = 9,           ///< no OpenGL 4.5 context could be made
   kShader = 10,         ///< a shader does not compile or link
   kSomeFailed = 11,     ///< some jobs of a batch failed, each with a code of its own; the others are done

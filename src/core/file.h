@@ -1,4 +1,4 @@
-// Whole files in, whole files out: reads are capped, writes appear in one step.
+// Reads and writes whole files. Reads have a maximum size; writes replace a file atomically.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,19 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
 /// The folder a file lies in; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-/// Replaces path by bytes: written to a file in the same folder that has no name yet, synced, named, folder synced. A
-/// reader sees the old file or the new one, never a part, and a program that is killed meanwhile leaves nothing behind
-/// (on file systems without unnamed files: a file that removeAbandonedFiles removes). A link is followed; a device or a
-/// pipe stays what it is and is written to. Errors: kWriteFailed; the old file is then intact.
+/// Replaces a file by bytes: writes an unnamed file in the same folder, syncs it, gives it the name, syncs the folder.
+/// A reader sees the old file or the new one, never a part. A program that is killed meanwhile leaves no file behind
+/// (on file systems without unnamed files, it leaves one that removeAbandonedFiles removes). A link is followed; a
+/// device or a pipe is written to and not replaced. Errors: kWriteFailed; the old file is then unchanged.
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomic(const std::filesystem::path& path, std::string_view text);
 
-/// Removes what killed programs of this machine left of unfinished writes to files in this folder; files that somebody
-/// is writing now stay. Never throws: a folder that cannot be read has nothing to remove.
+/// Removes the files that killed programs of this machine left in a folder by unfinished writes. Files that a running
+/// program is writing stay. Never throws; does nothing if the folder cannot be read.
 void removeAbandonedFiles(const std::filesystem::path& folder) noexcept;
 
-/// Adds text to a file that exists, and waits until it is on the disk. Errors: kWriteFailed; a part may be written.
+/// Appends text to an existing file and waits until it is on the disk. Errors: kWriteFailed; then a part of the text
+/// may be written.
 void appendToFile(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace jalousie

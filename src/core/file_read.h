@@ -1,4 +1,4 @@
-// What every reader of whole files does once the file is open.
+// Opens and reads whole files; shared by readFile and ConfinedFolder.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace jalousie::detail {
 
-/// Flags for opening a file that may be anything: a pipe must not block us, a terminal must not become ours.
+/// Flags for opening a file of any kind: opening a pipe does not block, and a terminal does not become the program's.
 int readFlags();
 /// The content of an open regular file. @param path  for messages. Errors: kFileUnreadable, kLimit.
 std::vector<std::byte> readOpened(const Descriptor& file, const std::filesystem::path& path, std::uint64_t maxBytes);

@@ -1,4 +1,4 @@
-// Progress of long work: a redrawn line on a terminal, nothing in a log or with quiet.
+// Shows the progress of long work as a redrawn line on a terminal; nothing in a log or with quiet.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace jalousie {
 
-/// Shows "label  42 %" on stderr while it lives; erases the line when destroyed. Not thread-safe.
+/// Shows "label  42 %" on stderr until it is destroyed, which erases the line. Not thread-safe.
 class Progress {
  public:
   /// @param total  number of steps; 0 shows only the label
@@ -18,9 +18,9 @@ class Progress {
 
   /// Sets the number of finished steps and an optional detail; redraws at most ten times a second.
   void update(std::uint64_t done, const std::string& detail = {});
-  /// Writes a line to stderr, terminal or not; the progress is drawn anew below it.
+  /// Writes a line to stderr, terminal or not; the progress is redrawn below it.
   void print(const std::string& line);
-  /// Whether there is a terminal to draw on, and nobody asked for quiet.
+  /// Whether stderr is a terminal and quiet is off.
   bool visible() const { return visible_; }
 
  private:

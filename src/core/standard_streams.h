@@ -1,18 +1,17 @@
-// Standard output and error of programs that must not fall over when nobody listens.
+// Standard output and error of programs; also where a stream is closed or cannot be written.
 #pragma once
 
 #include <string_view>
 
 namespace jalousie {
 
-/// Opens /dev/null in the place of standard streams that are closed, so that no other file gets their numbers. To be
-/// called first of all.
+/// Opens /dev/null in place of closed standard streams, so that no other file gets their numbers. Call it first.
 void openStandardStreams();
 
-/// Writes a line to standard error; if that fails, nobody can be told.
+/// Writes a line to standard error; a failure is ignored.
 void printError(std::string_view line) noexcept;
 
-/// Writes text to standard output, all of it. Errors: kWriteFailed.
+/// Writes all of a text to standard output. Errors: kWriteFailed.
 void printOutput(std::string_view text);
 
 }  // namespace jalousie

@@ -1,13 +1,17 @@
-// One pass over the objects, one over the chains.
+// Lays out tiles and bins in one pass over the chains and their objects.
 #include "scene/bin_layout.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/check.h"
 #include "core/error.h"
 
 namespace jalousie::scene {
 namespace {
+
+/// Entries are numbered with 32 bits; the kernels round their number up to a whole block.
+constexpr std::uint64_t kMaxEntries = std::numeric_limits<gpu::uint>::max() - gpu::kScanBlock;
 
 /// Cuts a chain's run of objects into tiles.
 void addTiles(BinLayout& layout, gpu::Chain& chain, gpu::uint chainIndex, gpu::uint first, gpu::uint end) {
@@ -32,11 +36,12 @@ BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> 
     chain.binCount = 2 * std::max<gpu::uint>(chain.lodCount, patches ? 2 : 1);
     chain.firstEntry = static_cast<gpu::uint>(entries);
     entries += std::uint64_t{chain.binCount} * chain.tileCount;
+    if (entries > kMaxEntries)
+      throw Error(ErrorCode::kLimit,
+                  "the scene has more combinations of chain, level and tile of objects than 32-bit indices reach");
     if (chain.tileCount == 0) continue;  // nothing uses the chain: no command can come from it
     for (gpu::uint bin = 0; bin < chain.binCount; ++bin)
       layout.bins.push_back({c, bin});
-    if (entries >= std::uint64_t{gpu::kScanBlock} * gpu::kMaxScanBlocks)
-      throw Error(ErrorCode::kLimit, "the scene has more objects and levels than the draw lists can sort");
   }
   JAL_CHECK(first == objects.size());
   layout.entryCount = static_cast<std::uint32_t>(entries) + 1;

@@ -20,7 +20,7 @@ struct BinLayout {
 /// Lays out bins and tiles and fills the chains' binCount, firstEntry and tileCount. @pre objects sorted by chain
 /// (checked)
 /// @param patches  the chains have a patch base: at least four bins
-/// Errors: kLimit if the counts exceed what one prefix sum holds (kScanBlock * kMaxScanBlocks).
+/// Errors: kLimit if the counts exceed 32-bit indices. A driver may allow less: DrawListPass checks that.
 BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> objects, bool patches);
 
 }  // namespace jalousie::scene

@@ -36,8 +36,8 @@ Camera lookAt(const glm::vec3& eye, const glm::vec3& target, const Aabb& sceneWo
 /// height
 Camera frameBox(const Aabb& sceneWorld, float aspect);
 
-/// Pose of a recorded camera at a frame; outside the path's keys the nearest end counts. A still camera ignores the
-/// frame.
+/// Pose of a recorded camera at a frame; outside the path's keys, the pose of the nearest key. A camera without a
+/// track ignores the frame.
 Camera cameraAtFrame(const asset::Camera& recorded, float frame);
 
 /// Number of frames from 0 to the last key, at least 1.

@@ -1,4 +1,4 @@
-// Builds the flat arrays: meshes once, levels as ranges, objects with their transforms as three rows.
+// Builds the flat arrays of a scene: each mesh once, LOD levels as index ranges, objects sorted by chain.
 #include "scene/scene_data.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ gpu::Material makeMaterial(const asset::Material& material) {
   return result;
 }
 
-/// Collects the arrays; one instance builds one scene.
+/// Builds one scene.
 class Builder {
  public:
   Builder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}

@@ -1,5 +1,6 @@
-// Layers of one size cost some memory and save every texture switch. Mip levels are made here rather than by the
-// driver: the same on every machine, and masked textures keep their coverage (Castano 2010, "Computing alpha mipmaps").
+// Resamples textures to one size and makes their mip levels. Layers of one size need more memory, but all draws can use
+// one texture. The mip levels are made here, not by the driver, so that they are the same on every machine and masked
+// textures keep their coverage (Castano 2010, "Computing alpha mipmaps").
 #include "scene/texture_layers.h"
 
 #include <algorithm>

@@ -16,8 +16,9 @@ struct TextureLayers {
 };
 
 /// Mip levels of a square image with a power-of-two side, level 0 first. Colours are averaged in linear light and
-/// weighted by alpha, so that what lies under holes does not bleed in.
-/// @param alphaCutoff  keep the share of texels whose alpha reaches it: averaging alone makes distant leaves vanish
+/// weighted by alpha, so that the colours of transparent texels do not bleed in.
+/// @param alphaCutoff  if given, every level keeps the share of texels whose alpha reaches the cutoff; plain averages
+/// would make distant leaves vanish
 std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<float> alphaCutoff);
 
 /// Share of texels with alpha >= cutoff.

@@ -12,9 +12,7 @@ namespace {
 
 static_assert(gpu::kMaxBinsPerChain == 2 * gpu::kMaxLods && gpu::kMaxBinsPerChain <= gpu::kObjectGroupSize,
               "one thread of a tile writes each bin's count");
-static_assert(gpu::kScanBlock == gpu::kScanGroupSize * gpu::kScanEntriesPerThread &&
-                  gpu::kMaxScanBlocks <= gpu::kScanBlock,
-              "one workgroup sums up the blocks' totals");
+static_assert(gpu::kScanBlock == gpu::kScanGroupSize * gpu::kScanEntriesPerThread);
 static_assert(gpu::kMaxBinsPerChain <= 1U << gpu::kSlotBinBits);
 
 gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options) {
@@ -39,6 +37,15 @@ gl::Buffer makeStorage(std::size_t bytes, const char* name) {
   gl::Buffer buffer(bytes, 0, name);
   buffer.clear();
   return buffer;
+}
+
+/// One workgroup handles one tile or one block. Errors: kLimit.
+void checkGroups(std::uint32_t groups, const char* what) {
+  GLint largest = 0;
+  glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &largest);
+  if (groups > static_cast<std::uint32_t>(largest))
+    throw Error(ErrorCode::kLimit, "the scene has " + std::to_string(groups) + " " + what + ", this driver allows " +
+                                       std::to_string(largest) + " in one dispatch");
 }
 
 std::size_t commandBytes(const gpu::ListView& view) {
@@ -70,8 +77,8 @@ DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrar
       slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), "slots")),
       entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, "bin counts")),
       blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, "block sums")) {
-  if (tileCount_ > 65535)
-    throw Error(ErrorCode::kLimit, "the scene has more objects than one dispatch reaches (4.1 million)");
+  checkGroups(tileCount_, "tiles of objects (64 objects of one chain, or fewer)");
+  checkGroups(blockCount_, "blocks of bin counts");
 }
 
 void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const {

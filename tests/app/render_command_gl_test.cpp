@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "app/gl_debug.h"
-#include "asset/accessor.h"
 #include "asset/gltf_file.h"
 #include "asset/image_io.h"
 #include "support/gl_test.h"
 #include "support/run_program.h"
+#include "support/scene_writer.h"
 #include "support/scenes.h"
 
 namespace jalousie {
@@ -27,25 +27,11 @@ ProgramResult jalousie(const std::vector<std::string>& arguments) {
 
 /// A GLB of nine spheres, one in front of the others.
 void writeScene(const std::filesystem::path& file) {
-  tinygltf::Model model;
-  model.asset.version = "2.0";
-  const asset::Primitive mesh = test::sphere(16, 8);
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, mesh.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.indices = asset::appendIndices(model, mesh.indices);
-  model.meshes.emplace_back();
-  model.meshes[0].primitives.push_back(primitive);
-  model.scenes.emplace_back();
-  model.defaultScene = 0;
-  for (int i = 0; i < 9; ++i) {
-    tinygltf::Node node;
-    node.mesh = 0;
-    node.translation = {1.5 * (i % 3 - 1), 1.5 * (i / 3 - 1), i == 4 ? 3.0 : -3.0};
-    model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
-    model.nodes.push_back(node);
-  }
+  tinygltf::Model model = test::emptyModel();
+  const int mesh = test::addMesh(model, test::sphere(16, 8));
+  for (int i = 0; i < 9; ++i)
+    model.scenes[0].nodes.push_back(
+        test::addMeshNode(model, mesh, {1.5 * (i % 3 - 1), 1.5 * (i / 3 - 1), i == 4 ? 3.0 : -3.0}));
   asset::saveGlb(model, file);
 }
 

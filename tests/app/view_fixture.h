@@ -16,6 +16,7 @@
 
 #include "app/view/viewer.h"
 #include "asset/accessor.h"
+#include "asset/gltf_file.h"
 #include "asset/image_io.h"
 #include "asset/lod_chain.h"
 #include "core/error.h"

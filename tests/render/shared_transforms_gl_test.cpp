@@ -6,7 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "policy/frame_policy.h"
 #include "render/frame_renderer.h"
+#include "scene/camera.h"
+#include "scene/scene_data.h"
 #include "support/gl_test.h"
 #include "support/scenes.h"
 #include "visibility/classify_reference.h"
@@ -71,14 +74,13 @@ TEST(SharedTransforms, TwinDecidesAsForTheExpandedScene) {
   view.cameraWorld = glm::vec4(camera.positionWorld(), camera.zNear);
   view.viewportWidth = kWidth;
   view.viewportHeight = kHeight;
-  view.cullMode = gpu::kCullFrustum;
-  view.lodRule = gpu::kLodPixelError;
+  view.traits = traitsOf(CullMode::kFrustum) | traitsOf(LodRule::kPixelError);
   view.maxTessellation = gpu::kMaxTessellationLevel;
   view.focalPixels = scene::focalPixels(camera, kHeight);
   view.tau = 1.0F;
   for (gpu::uint i = 0; i < expanded.objects.size(); ++i) {
-    const visibility::Classified actual = visibility::classifyObject(shared, view, i, {});
-    const visibility::Classified wanted = visibility::classifyObject(expanded, view, i, {});
+    const visibility::ObjectDecision actual = visibility::classifyObject(shared, view, i, {});
+    const visibility::ObjectDecision wanted = visibility::classifyObject(expanded, view, i, {});
     EXPECT_EQ(std::memcmp(&actual, &wanted, sizeof actual), 0) << "object " << i;
   }
 }

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "scene/texture_layers.h"
+#include "support/error_code.h"
 #include "support/scenes.h"
 
 namespace jalousie::scene {
@@ -128,6 +129,25 @@ TEST(TextureLayers, MaskedMipLevelsKeepTheirCoverage) {
 TEST(TextureLayers, MipLevelsAverageInLinearLight) {
   ImageRgba8 checker{2, 2, {255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255}};
   EXPECT_NEAR(makeMipLevels(checker, std::nullopt)[1].pixels[0], 188, 1);
+}
+
+TEST(BinLayout, HoldsMoreEntriesThanOneRoundOfSumsAndRefusesMoreThan32Bits) {
+  constexpr gpu::uint kChains = 60000;
+  std::vector<gpu::Chain> chains(kChains);
+  std::vector<gpu::Object> objects;
+  for (gpu::uint c = 0; c < kChains; ++c) {
+    chains[c].lodCount = 10;
+    objects.push_back({c, c, c, 0});
+  }
+  const BinLayout layout = layoutBins(chains, objects, false);
+  EXPECT_EQ(layout.entryCount, 20 * kChains + 1);
+  EXPECT_EQ(layout.bins.size(), 20U * kChains);
+  EXPECT_EQ(chains.back().firstEntry, 20 * (kChains - 1));
+
+  std::vector<gpu::Chain> huge(1);
+  huge[0].lodCount = 1U << 30U;
+  const std::vector<gpu::Object> twoTiles(gpu::kObjectGroupSize + 1);
+  EXPECT_EQ(test::codeOf([&] { layoutBins(huge, twoTiles, false); }), ErrorCode::kLimit);
 }
 
 TEST(SceneData, ObjectsAreSortedByChainAndCutIntoTiles) {

@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "support/scene_writer.h"
+
 namespace jalousie::test {
 namespace {
 
@@ -128,16 +130,7 @@ asset::SceneFile randomSpheres(std::uint32_t count, float halfSide, std::uint64_
 }
 
 std::string spherePly(std::uint32_t segments, std::uint32_t rings) {
-  const asset::Primitive mesh = sphere(segments, rings);
-  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
-                     "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                     std::to_string(mesh.indices.size() / 3) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const glm::vec3& p : mesh.positions)
-    text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
-  for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
-    text += "3 " + std::to_string(mesh.indices[t]) + " " + std::to_string(mesh.indices[t + 1]) + " " +
-            std::to_string(mesh.indices[t + 2]) + "\n";
-  return text;
+  return plyText(sphere(segments, rings));
 }
 
 }  // namespace jalousie::test

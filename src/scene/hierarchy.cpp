@@ -1,0 +1,218 @@
+// Builds the tree in depth-first order with a stack of ranges; no recursion.
+#include "scene/hierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numeric>
+#include <optional>
+
+#include "core/check.h"
+
+namespace jalousie::scene {
+namespace {
+
+constexpr std::uint32_t kBins = 16;
+constexpr std::uint32_t kSahDepth = 32;  ///< below this depth, ranges are halved: 32 more levels hold any 32-bit count
+
+/// Center of a box, in double precision: sums and areas of any boxes of floats are finite.
+glm::dvec3 centerOf(const Aabb& box) {
+  return 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
+}
+
+double surfaceArea(const Aabb& box) {
+  const glm::dvec3 e = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x);
+}
+
+struct Bin {
+  Aabb bounds;
+  std::uint32_t count = 0;
+};
+
+/// A cut of a range: objects whose center lies in bins below `bin` go to the left.
+struct Cut {
+  int axis = 0;
+  std::uint32_t bin = 0;
+};
+
+/// The bins of one axis over the centers of a range.
+class Axis {
+ public:
+  Axis(int axis, double low, double high) : axis_(axis), low_(low), extent_(high - low) {}
+
+  bool flat() const { return !(extent_ > 0.0); }
+  std::uint32_t binOf(const Aabb& box) const {
+    const double place = (centerOf(box)[axis_] - low_) / extent_;
+    return std::min(kBins - 1, static_cast<std::uint32_t>(place * kBins));
+  }
+
+ private:
+  int axis_;
+  double low_;
+  double extent_;
+};
+
+/// A part of the permutation that becomes a subtree.
+struct Range {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t parent = kNoParent;
+  std::uint32_t depth = 0;
+};
+
+/// Makes one hierarchy.
+class Builder {
+ public:
+  Builder(std::span<const Aabb> boxes, const HierarchyOptions& options) : boxes_(boxes), options_(options) {}
+
+  SpatialHierarchy build() {
+    result_.objects.resize(boxes_.size());
+    std::iota(result_.objects.begin(), result_.objects.end(), 0U);
+    std::vector<Range> stack;
+    if (!boxes_.empty()) stack.push_back({0, static_cast<std::uint32_t>(boxes_.size()), kNoParent, 0});
+    while (!stack.empty()) {
+      const Range range = stack.back();
+      stack.pop_back();
+      const std::uint32_t node = addNode(range);
+      if (range.count <= options_.maxLeafObjects) continue;
+      const std::uint32_t left = split(range);
+      stack.push_back({range.first + left, range.count - left, node, range.depth + 1});
+      stack.push_back({range.first, left, node, range.depth + 1});  // on top: the left child is the next node
+    }
+    linkSkips();
+    for (const std::uint32_t object : result_.objects)
+      result_.objectBounds.push_back(boxes_[object]);
+    return std::move(result_);
+  }
+
+ private:
+  std::span<std::uint32_t> objectsOf(const Range& range) {
+    return std::span(result_.objects).subspan(range.first, range.count);
+  }
+
+  std::uint32_t addNode(const Range& range) {
+    HierarchyNode node;
+    node.parent = range.parent;
+    node.firstObject = range.first;
+    node.objectCount = range.count;
+    for (const std::uint32_t object : objectsOf(range))
+      node.boundsWorld.add(boxes_[object]);
+    result_.nodes.push_back(node);
+    return static_cast<std::uint32_t>(result_.nodes.size() - 1);
+  }
+
+  /// Reorders a range into the objects of its left and of its right child. Returns the number of the left ones.
+  std::uint32_t split(const Range& range) {
+    const std::optional<Cut> cut = range.depth < kSahDepth ? bestCut(range) : std::nullopt;
+    if (!cut) return range.count / 2;
+    const std::span<std::uint32_t> objects = objectsOf(range);
+    const Axis axis = axisOf(range, cut->axis);
+    const auto middle = std::stable_partition(
+        objects.begin(), objects.end(), [&](std::uint32_t object) { return axis.binOf(boxes_[object]) < cut->bin; });
+    return static_cast<std::uint32_t>(middle - objects.begin());
+  }
+
+  Axis axisOf(const Range& range, int axis) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const std::uint32_t object : objectsOf(range)) {
+      const double center = centerOf(boxes_[object])[axis];
+      low = std::min(low, center);
+      high = std::max(high, center);
+    }
+    return {axis, low, high};
+  }
+
+  /// The cut with the least sum of area times count; the first one among equals. Absent if all centers are equal.
+  std::optional<Cut> bestCut(const Range& range) {
+    std::optional<Cut> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int a = 0; a < 3; ++a) {
+      const Axis axis = axisOf(range, a);
+      if (axis.flat()) continue;
+      std::array<Bin, kBins> bins;
+      for (const std::uint32_t object : objectsOf(range)) {
+        Bin& bin = bins[axis.binOf(boxes_[object])];
+        bin.bounds.add(boxes_[object]);
+        ++bin.count;
+      }
+      const std::array<double, kBins> costs = cutCosts(bins);
+      for (std::uint32_t bin = 1; bin < kBins; ++bin) {
+        if (!(costs[bin] < least)) continue;
+        least = costs[bin];
+        best = Cut{a, bin};
+      }
+    }
+    return best;
+  }
+
+  /// Cost of the cut in front of each bin; infinite where one side is empty.
+  static std::array<double, kBins> cutCosts(const std::array<Bin, kBins>& bins) {
+    std::array<double, kBins> costs{};
+    Bin below;
+    for (std::uint32_t bin = 0; bin < kBins; ++bin) {
+      costs[bin] = costOf(below);
+      below.bounds.add(bins[bin].bounds);
+      below.count += bins[bin].count;
+    }
+    Bin above;
+    for (std::uint32_t bin = kBins; bin-- > 0;) {
+      above.bounds.add(bins[bin].bounds);
+      above.count += bins[bin].count;
+      costs[bin] += costOf(above);
+    }
+    return costs;
+  }
+
+  static double costOf(const Bin& side) {
+    return side.count == 0 ? std::numeric_limits<double>::infinity() : surfaceArea(side.bounds) * side.count;
+  }
+
+  /// A subtree ends where the next node's parent lies above it: going backwards, a leaf skips to its successor and an
+  /// inner node to where its right child skips to.
+  void linkSkips() {
+    std::vector<HierarchyNode>& nodes = result_.nodes;
+    for (std::uint32_t n = 0; n < nodes.size(); ++n)
+      nodes[n].skip = n + 1;
+    for (auto n = static_cast<std::uint32_t>(nodes.size()); n-- > 1;)
+      nodes[nodes[n].parent].skip = std::max(nodes[nodes[n].parent].skip, nodes[n].skip);
+  }
+
+  std::span<const Aabb> boxes_;
+  HierarchyOptions options_;
+  SpatialHierarchy result_;
+};
+
+}  // namespace
+
+SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options) {
+  JAL_CHECK(options.maxLeafObjects >= 1U);
+  JAL_CHECK(boundsWorld.size() < kNoParent / 2);  // a binary tree has fewer than two nodes per object
+  for (const Aabb& box : boundsWorld)
+    JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
+  return Builder(boundsWorld, options).build();
+}
+
+SpatialHierarchy buildHierarchy(const SceneData& scene, const HierarchyOptions& options) {
+  std::vector<Aabb> boxes;
+  boxes.reserve(scene.objects.size());
+  for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
+    boxes.push_back(worldBounds(scene, object));
+  return buildHierarchy(boxes, options);
+}
+
+Aabb worldBounds(const SceneData& scene, std::uint32_t object) {
+  const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
+  Aabb box = transformed(worldFromObject(scene.transforms[scene.objects[object].transform]),
+                         {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(box.min[axis]) && std::isfinite(box.max[axis])) continue;
+    box.min[axis] = std::numeric_limits<float>::lowest();
+    box.max[axis] = std::numeric_limits<float>::max();
+  }
+  return box;
+}
+
+}  // namespace jalousie::scene

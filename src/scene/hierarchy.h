@@ -1,0 +1,73 @@
+// A bounding volume hierarchy over the objects of a scene. For methods whose traversal runs on the CPU: a verdict
+// before the frame, or queries issued while a traversal goes on. Methods that decide on the GPU do not need it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/aabb.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::scene {
+
+/// HierarchyNode::parent of the root.
+inline constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
+
+/// One node. Nodes stand in depth-first order: the left child of an inner node n is n + 1, its right child is
+/// nodes[n + 1].skip.
+struct HierarchyNode {
+  Aabb boundsWorld;               ///< of all objects below the node
+  std::uint32_t parent = 0;       ///< index of the parent, kNoParent for the root
+  std::uint32_t skip = 0;         ///< index of the first node that is not below this one; nodes.size() behind the last
+  std::uint32_t firstObject = 0;  ///< of the node's range in SpatialHierarchy::objects
+  std::uint32_t objectCount = 0;  ///< length of the range, at least 1; inner nodes hold the ranges of their children
+};
+static_assert(sizeof(HierarchyNode) == 40);
+
+/// A binary tree in flat arrays, with every object in exactly one leaf.
+struct SpatialHierarchy {
+  std::vector<HierarchyNode> nodes;    ///< depth first, the root first; empty for a scene without objects
+  std::vector<std::uint32_t> objects;  ///< indices of SceneData::objects, leaf after leaf; ascending inside a leaf
+  std::vector<Aabb> objectBounds;      ///< [objects.size()] world boxes, in the order of `objects`
+
+  bool isLeaf(std::uint32_t node) const { return nodes[node].skip == node + 1; }
+};
+
+struct HierarchyOptions {
+  std::uint32_t maxLeafObjects = 4;  ///< most objects of one leaf, at least 1 (checked)
+};
+
+/// Builds a hierarchy top down. A range of objects is cut where the surface area heuristic is smallest (Wald 2007, "On
+/// fast construction of SAH-based bounding volume hierarchies", binned over the centers of the boxes), and in two
+/// halves where all centers are equal or the tree is already 32 levels deep. The depth is therefore at most 64, for any
+/// input. Equal input gives equal bytes.
+/// @param boundsWorld  [object count], min <= max, no NaN (checked)   O(n log n); throws only std::bad_alloc
+SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options = {});
+/// As above, over the world boxes of the scene's objects (worldBounds).
+SpatialHierarchy buildHierarchy(const SceneData& scene, const HierarchyOptions& options = {});
+
+/// World box of one object: the box of its chain, transformed. A coordinate outside the range of float, which the
+/// product of an extreme transform and an extreme box may have, widens the box to the whole range on its axis.
+Aabb worldBounds(const SceneData& scene, std::uint32_t object);
+
+/// Calls visit(object index) for each object whose box passes the test, in the order of `objects`, and leaves out all
+/// nodes whose box fails it. Needs no stack.
+/// @param test  bool(const Aabb& boundsWorld); must hold for a box if it holds for a part of that box
+template <class Test, class Visit>
+void visitObjects(const SpatialHierarchy& hierarchy, const Test& test, const Visit& visit) {
+  std::uint32_t n = 0;
+  while (n < hierarchy.nodes.size()) {
+    const HierarchyNode& node = hierarchy.nodes[n];
+    if (!test(node.boundsWorld)) {
+      n = node.skip;
+      continue;
+    }
+    for (std::uint32_t i = 0; hierarchy.isLeaf(n) && i < node.objectCount; ++i)
+      if (test(hierarchy.objectBounds[node.firstObject + i])) visit(hierarchy.objects[node.firstObject + i]);
+    ++n;
+  }
+}
+
+}  // namespace jalousie::scene
