@@ -11,7 +11,7 @@
 #include "app/view/actions.h"
 #include "app/view/command_text.h"
 #include "app/view/file_watch.h"
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 #include "app/view/settings.h"
 #include "app/view/view_options.h"
 #include "core/error.h"

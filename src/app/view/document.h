@@ -11,7 +11,7 @@
 
 #include "app/capture.h"
 #include "app/view/file_watch.h"
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
 #include "gl/capabilities.h"

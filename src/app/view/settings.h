@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 
 namespace jalousie::app {
 

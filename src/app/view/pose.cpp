@@ -1,5 +1,5 @@
 // Spherical coordinates around the eye or around the target.
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 
 #include <algorithm>
 #include <cmath>
