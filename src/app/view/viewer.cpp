@@ -5,7 +5,6 @@
 // epoxy must come before GLFW, which otherwise brings the system's own OpenGL header.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,11 @@
 #include "app/configurations.h"
 #include "app/option_values.h"
 #include "app/view/command_text.h"
+#include "app/view/frame_graph.h"
+#include "app/view/help_window.h"
+#include "app/view/inspection_window.h"
+#include "app/view/legend.h"
+#include "app/view/overlay.h"
 #include "core/error.h"
 #include "gl/shader_source.h"
 
@@ -274,20 +278,11 @@ void Viewer::drawOverlays(std::size_t index) {
                     0.5F * document.boundsWorld().diagonal());
   if (state_.inspection && state_.selection && state_.selection->document == index && !state_.playing)
     drawSelection(where, *state_.inspection, cameras->draw, document.camera.frozen());
-  Region left = where;
-  if (state_.split && !state_.flicker) left.width = std::round(state_.divider * where.width);
-  drawLegend(left, options);
-  if (!state_.split || state_.flicker) return;
-  Region right = where;
-  right.x += std::round(state_.divider * where.width);
-  right.width -= std::round(state_.divider * where.width);
+  if (!state_.split || state_.flicker) return drawLegend(where, options);
+  const Region right = where.rightOf(state_.divider);
+  drawLegend(where.leftOf(state_.divider), options);
   drawLegend(right, optionsFor(index, 1));
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddLine({right.x, 0.0F}, {right.x, where.height}, IM_COL32(255, 255, 255, 220), 2.0F * interface_.scale());
-  list.AddCircleFilled({right.x, 0.5F * where.height}, 7.0F * interface_.scale(), IM_COL32(255, 255, 255, 220));
-  const float unit = ImGui::GetFontSize();
-  list.AddText({right.x - 1.4F * unit, 0.5F * where.height - 2.0F * unit}, IM_COL32_WHITE, "A");
-  list.AddText({right.x + 0.8F * unit, 0.5F * where.height - 2.0F * unit}, IM_COL32_WHITE, "B");
+  drawDivider(right, interface_.scale());
 }
 
 void Viewer::drawInterface() {
@@ -298,22 +293,11 @@ void Viewer::drawInterface() {
     drawNotice(whole, "No file", "Drop a glTF or GLB file here, or name one on the command line.");
   if (!state_.shaderError.empty())
     drawNotice(whole, "A shader does not build; the last good ones go on", state_.shaderError);
-  if (!state_.message.empty() && now() - state_.messageSeconds < kMessageSeconds) {
-    ImGui::SetNextWindowPos({0.5F * whole.width, whole.height - 1.0F * ImGui::GetFontSize()}, ImGuiCond_Always,
-                            {0.5F, 1.0F});
-    ImGui::Begin("message", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::TextUnformatted(state_.message.c_str());
-    ImGui::End();
-  }
+  if (!state_.message.empty() && now() - state_.messageSeconds < kMessageSeconds) drawMessage(whole, state_.message);
   PanelResult result;
   PanelFacts facts{window_.capabilities().renderer, command(0), width_, height_, {}};
-  std::vector<std::string> names;
   for (const auto& document : documents_)
-    names.push_back(document->file().filename().string());
-  for (const std::string& name : names)
-    facts.documents.push_back(name.c_str());
+    facts.documents.push_back(document->file().filename().string());
   if (state_.settings.panel) drawPanel(state_, current(), facts, result);
   if (state_.settings.graph) drawFrameGraph(state_.history);
   if (state_.inspection)
@@ -338,7 +322,7 @@ void Viewer::applyPanel(const PanelResult& result) {
     act(action);
   if (result.resize)
     glfwSetWindowSize(window_.handle(), static_cast<int>(result.resize->x), static_cast<int>(result.resize->y));
-  if (!result.saveJson) return;
+  if (!result.saveFigures) return;
   attempt([&] {
     const std::filesystem::path& said = state_.configurations[0].wanted.json;
     const std::filesystem::path file = said.empty() ? freshOutput("jalousie-figures", ".json") : said;

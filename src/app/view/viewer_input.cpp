@@ -3,7 +3,6 @@
 // epoxy must come before GLFW, which otherwise brings the system's own OpenGL header.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
