@@ -1,4 +1,4 @@
-// Spherical coordinates around the eye or around the target.
+// Poses of the viewer's camera, in spherical coordinates around the eye or the target.
 #include "app/view/pose.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace jalousie::app {
 namespace {
 
-constexpr float kMostPitch = 1.553F;  // 89 degrees: the poles have no side
+constexpr float kMostPitch = 1.553F;  // 89 degrees: at the poles the yaw is undefined
 constexpr float kZoomPerStep = 0.85F;
-/// Of the target's coordinates: some hundred units in their last place.
+/// Least distance from eye to target, share of the target's coordinates: some hundred units in their last place.
 constexpr float kLeastDistance = 1e-4F;
 constexpr float kMostDistance = 1e12F;  // world units
 
@@ -75,13 +75,13 @@ Pose turned(const Pose& pose, float yaw, float pitch) {
 
 namespace {
 
-/// The least distance of a target that rounding leaves apart from the eye.
+/// The least distance at which rounding keeps a target apart from the eye.
 float leastDistance(const glm::vec3& at) {
   const glm::vec3 size = glm::abs(at);
   return kLeastDistance * std::max({size.x, size.y, size.z, 1e-3F});
 }
 
-/// Moves eye and target; keeps them apart where the eye comes to.
+/// Moves eye and target, and keeps them apart at the new position.
 Pose shifted(const Pose& pose, const glm::vec3& offset, const glm::vec3& forward) {
   const Pose result{pose.eye + offset, pose.look + offset};
   const float least = leastDistance(result.eye);

@@ -1,4 +1,4 @@
-// How the viewer's camera moves: around a point, and through the scene.
+// Poses of the viewer's camera: moves around a point and through the scene.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,34 +8,36 @@
 
 namespace jalousie::app {
 
-/// Where the camera is and what it looks at, world units; +y is up. The same as --eye and --look.
+/// Position and target of a camera, as --eye and --look: world space, +y is up.
 struct Pose {
   glm::vec3 eye{0.0F, 0.0F, 4.0F};
   glm::vec3 look{0.0F};
 };
 
-/// Whether a camera can stand there: all finite, eye and target apart.
+/// Whether a camera can have this pose: all coordinates are finite, and eye and target differ.
 bool isUsable(const Pose& pose);
 
-/// The pose of a camera, with its target at a distance. Loses a roll.
+/// The pose of a camera with its target at a distance. A roll of the camera is dropped.
 Pose poseOf(const scene::Camera& camera, float distance);
 
-/// Distance from a camera at which a target makes sense: to the centre of the scene, at least a hundredth of it.
+/// Distance for the target of a camera: to the centre of the scene, at least 1 % of the scene's diagonal.
 float targetDistance(const scene::Camera& camera, const Aabb& sceneWorld);
 
-/// Turns around the target. @param yaw, pitch  radians; positive moves the eye right and up. Never over the poles.
+/// Turns the eye around the target, at most up to the poles.
+/// @param yaw, pitch  radians; positive moves the eye right and up
 Pose orbited(const Pose& pose, float yaw, float pitch);
-/// Turns on the spot. @param yaw, pitch  radians; positive looks left and up
+/// Turns the target around the eye, at most up to the poles.
+/// @param yaw, pitch  radians; positive looks left and up
 Pose turned(const Pose& pose, float yaw, float pitch);
-/// Moves eye and target. @param step  right, up (world), forward; world units
+/// Moves eye and target. @param step  along the camera's right, the world's up, the camera's forward; world units
 Pose moved(const Pose& pose, const glm::vec3& step);
-/// Moves eye and target in the plane of the picture, so that the target follows the pointer.
+/// Moves eye and target parallel to the screen, so that the target follows the pointer.
 /// @param right, up  pixels   @param focalPixels  of the camera
 Pose panned(const Pose& pose, float right, float up, float focalPixels);
-/// Comes nearer to the target by a factor per step of the wheel, never so near or far that eye and target are lost to
-/// rounding.
+/// Scales the distance to the target by 0.85 per step of the wheel. The distance is limited so that rounding keeps eye
+/// and target apart.
 Pose zoomed(const Pose& pose, float steps);
-/// Looks at a box from the same side, so that its bounding sphere fills the view. @param fovY  radians
+/// Looks at a box from the same direction, so that its bounding sphere fills the view. @param fovY  radians
 Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect);
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// Window, viewer, loop.
+// `jalousie view`: opens the window and runs the viewer.
 #include "app/view/view_command.h"
 
 #include <fmt/format.h>
@@ -38,8 +38,8 @@ void runView(const ViewOptions& options) {
     viewer.finish();
   }
   if (log && !log->problems().empty())
-    throw Error(ErrorCode::kInternal,
-                fmt::format("OpenGL complained {} times, first: {}", log->problems().size(), log->problems().front()));
+    throw Error(ErrorCode::kInternal, fmt::format("{} warnings and errors of OpenGL; the first: {}",
+                                                  log->problems().size(), log->problems().front()));
 }
 
 }  // namespace jalousie::app

@@ -5,9 +5,10 @@
 
 namespace jalousie::app {
 
-/// Runs until the window is closed. @param options  finished
-/// Errors: kNoGpu without a display, naming the headless command; kWriteFailed; kInternal with --debug where OpenGL
-/// complained.
+/// Runs the viewer until its window is closed. @param options  finished
+/// Errors: as Viewer::finish(); kNoGpu without a display, with a message that names the headless command; kInternal
+/// with
+/// --debug after a warning or error of OpenGL.
 void runView(const ViewOptions& options);
 
 }  // namespace jalousie::app
