@@ -1,4 +1,4 @@
-// Files that come, go, change and are broken; shaders that change; settings; and the program itself.
+// The viewer with files that are opened, closed, changed and broken; with changed shaders; settings; and scripts.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class ViewFiles : public test::ViewTest {
  protected:
-  /// Steps until a condition holds, at most some seconds.
+  /// Steps until a condition holds, at most 8 s. @return whether it holds
   template <class Condition>
   bool waitFor(Condition condition) {
     const double start = glfwGetTime();
@@ -19,7 +19,7 @@ class ViewFiles : public test::ViewTest {
       viewer_->step();
     return condition();
   }
-  /// The shaders of the source tree, to be broken.
+  /// Copies the shaders of the source tree, so that a test can change them.
   fs::path copyShaders() {
     fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", folder_ / "shaders", fs::copy_options::recursive);
     return folder_ / "shaders";

@@ -1,4 +1,4 @@
-// The viewer as people use it: pointer, keys, picking, sizes, paths; and that its pictures are the headless ones.
+// The viewer under pointer and keys: navigation, picking, sizes, paths; its pictures equal those of `jalousie render`.
 #include <fstream>
 #include <glm/packing.hpp>
 #include <set>
