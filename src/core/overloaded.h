@@ -9,4 +9,8 @@ struct Overloaded : Calls... {
   using Calls::operator()...;
 };
 
+/// clang 14 needs the guide that C++20 deduces by itself.
+template <class... Calls>
+Overloaded(Calls...) -> Overloaded<Calls...>;
+
 }  // namespace jalousie

@@ -45,6 +45,7 @@ constexpr LvMeasureRow kMeasures[] = {
      .help = "visible pixels counted in a recent frame"},
 };
 static_assert(policy::isInOrder(kMeasures));
+static_assert(std::size(kMeasures) == kLvMeasureCount);
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // The measures of how occluded an object is, in one table (docs/level_of_visibility.md).
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "shared/traits.h"
@@ -10,6 +11,8 @@ namespace jalousie {
 /// Measures h in [0, 1]; an object's LV is 2 h - 1, except that the thesis' own may lie below -1.
 /// Values index lvMeasureTable().
 enum class LvMeasure : gpu::uint { kNone, kThesis, kSpectral, kChord, kCoverage, kPixels };
+
+inline constexpr std::size_t kLvMeasureCount = 6;
 
 /// One row of the table.
 struct LvMeasureRow {

@@ -1,4 +1,4 @@
-// Files that come, go, change and are broken; shaders that change; settings; and the program itself.
+// The viewer with files that are opened, closed, changed and broken; with changed shaders; settings; and scripts.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 class ViewFiles : public test::ViewTest {
  protected:
-  /// Steps until a condition holds, at most some seconds.
+  /// Steps until a condition holds, at most 8 s. @return whether it holds
   template <class Condition>
   bool waitFor(Condition condition) {
     const double start = glfwGetTime();
@@ -20,7 +20,7 @@ class ViewFiles : public test::ViewTest {
       viewer_->step();
     return condition();
   }
-  /// The shaders of the source tree, to be broken.
+  /// Copies the shaders of the source tree, so that a test can change them.
   fs::path copyShaders() {
     fs::copy(fs::path(JALOUSIE_SOURCE_DIR) / "shaders", folder_ / "shaders", fs::copy_options::recursive);
     return folder_ / "shaders";
@@ -137,7 +137,7 @@ TEST_F(ViewFiles, AGhostShaderThatBreaksIsAMessageToo) {
   const fs::path shaders = copyShaders();
   app::ViewOptions options;
   options.files = {scene()};
-  options.render.view = "ghosts";
+  options.render.frameOptions.view = View::kGhosts;
   options.shaders = shaders;
   if (!open(options)) GTEST_SKIP() << "no display";
   replaceText(shaders / "visibility/mark_ghosts.comp", "uint mark = marks[id];", "uint mark = nonsense;");

@@ -1,4 +1,4 @@
-// A viewer in a real window of the X server of the test, driven by real events through xdotool.
+// Fixture of the viewer tests: a viewer in a window of the test's X server, driven by events of xdotool.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -26,9 +26,9 @@
 
 namespace jalousie::test {
 
-/// A GLB of spheres in three levels with errors: one large in front, a grid of small ones behind it,
-/// and one that the first hides from the camera of the start.
-/// @param side  of the grid
+/// Writes a GLB of spheres with three LODs and their errors: a large sphere in front, a grid of small ones behind it,
+/// and a small one that the large one occludes from the camera of the start.
+/// @param side  spheres along each side of the grid
 inline void writeSpheres(const std::filesystem::path& file, int side = 5) {
   tinygltf::Model model;
   model.asset.version = "2.0";
@@ -74,7 +74,7 @@ inline void writeSpheres(const std::filesystem::path& file, int side = 5) {
   asset::saveGlb(model, file);
 }
 
-/// The program's answer to a command line as the viewer copies it.
+/// Runs a command line as the viewer copies it.
 inline ProgramResult runCommand(const std::string& command) {
   return runProgram("/bin/sh", {"-c", "exec \"" JALOUSIE_PROGRAM "\" " + command.substr(command.find(' ') + 1)});
 }
@@ -99,7 +99,7 @@ class ViewTest : public testing::Test {
     window_.reset();
   }
 
-  /// Opens the viewer; false where there is no display. The interface is out of the way unless it is asked for.
+  /// Opens the viewer. @return false if there is no display   @param interface  leaves the panel open
   bool open(app::ViewOptions options, bool interface = false) {
     options.outputs = folder_.path();
     options.render.width = kWidth;
@@ -125,7 +125,7 @@ class ViewTest : public testing::Test {
     return open(options);
   }
 
-  /// Steps until nothing is left to be done.
+  /// Steps until the viewer is idle.
   void settle() {
     for (int i = 0; i < 4; ++i)
       viewer_->step();
@@ -154,7 +154,7 @@ class ViewTest : public testing::Test {
     settle();
   }
 
-  /// Expects the picture of the current document to be what the copied command renders, bit for bit.
+  /// Expects that the copied command renders the picture of the current document, bit for bit.
   void expectHeadlessEqual(const std::string& what) {
     const std::filesystem::path file = folder_ / "headless.png";
     const std::string command = viewer_->command(0, file.string());
@@ -170,7 +170,7 @@ class ViewTest : public testing::Test {
     settle();
   }
 
-  /// The window itself, as it was shown last: row 0 at the top.
+  /// Pixels of the window itself as it was last shown, row 0 at the top.
   static std::vector<std::uint8_t> shown(std::uint32_t width, std::uint32_t height) {
     std::vector<std::uint8_t> rows(std::size_t{4} * width * height);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -195,6 +195,7 @@ class ViewTest : public testing::Test {
   }
 
   const app::ViewState& state() const { return viewer_->state(); }
+  View shownView() const { return state().configurations[0].active.frameOptions.view; }
   app::Pose pose() { return viewer_->document(0).camera.pose.value_or(app::Pose{}); }
   std::filesystem::path scene() const { return folder_ / "scene.glb"; }
 

@@ -1,4 +1,4 @@
-// What of the viewer needs no window: navigation, the option table, settings, files.
+// Parts of the viewer that need no window: poses, the option table, settings, file watching, names of outputs, keys.
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,9 @@
 #include "app/view/actions.h"
 #include "app/view/command_text.h"
 #include "app/view/file_watch.h"
-#include "app/view/navigation.h"
+#include "app/view/output_files.h"
+#include "app/view/pose.h"
+#include "app/view/region.h"
 #include "app/view/settings.h"
 #include "app/view/view_options.h"
 #include "core/error.h"
@@ -27,7 +29,7 @@ void expectClose(const glm::vec3& a, const glm::vec3& b) {
                                         << b.z;
 }
 
-TEST(Navigation, OrbitKeepsTheDistanceAndComesBack) {
+TEST(Pose, OrbitKeepsTheDistanceAndComesBack) {
   const Pose start{{3, 2, 5}, {1, 0, -1}};
   const float distance = glm::length(start.eye - start.look);
   const Pose turned = orbited(start, 0.7F, 0.2F);
@@ -36,7 +38,7 @@ TEST(Navigation, OrbitKeepsTheDistanceAndComesBack) {
   expectClose(orbited(turned, -0.7F, -0.2F).eye, start.eye);
 }
 
-TEST(Navigation, NoTurnGoesOverThePoles) {
+TEST(Pose, NoTurnGoesOverThePoles) {
   const Pose start{{0, 1, 5}, {0, 0, 0}};
   const Pose top = orbited(start, 0.0F, 10.0F);
   EXPECT_GT(top.eye.y, 5.0F);
@@ -45,7 +47,7 @@ TEST(Navigation, NoTurnGoesOverThePoles) {
   EXPECT_LT(turned(start, 0.0F, -10.0F).look.y, 0.0F);
 }
 
-TEST(Navigation, MovingKeepsTheDirection) {
+TEST(Pose, MovingKeepsTheDirection) {
   const Pose start{{3, 2, 5}, {1, 0, -1}};
   for (const glm::vec3 step : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
     expectClose(moved(start, step).look - moved(start, step).eye, start.look - start.eye);
@@ -54,7 +56,7 @@ TEST(Navigation, MovingKeepsTheDirection) {
   expectClose(zoomed(zoomed(start, 2.0F), -2.0F).eye, start.eye);
 }
 
-TEST(Navigation, NoZoomLosesTheDirection) {
+TEST(Pose, NoZoomLosesTheDirection) {
   for (const glm::vec3 look : {glm::vec3(0.0F), glm::vec3(1.0F, 0, -1.0F), glm::vec3(1e5F, 3, 1e5F)}) {
     for (const float step : {1.0F, -1.0F, 40.0F, -40.0F}) {
       Pose pose{look + glm::vec3(2, 1, 4), look};
@@ -68,7 +70,7 @@ TEST(Navigation, NoZoomLosesTheDirection) {
   }
 }
 
-TEST(Navigation, FlyingAwayFromANearTargetKeepsTheDirection) {
+TEST(Pose, FlyingAwayFromANearTargetKeepsTheDirection) {
   Pose pose{{0, 0, 1e-6F}, {0, 0, 0}};
   for (int i = 0; i < 200; ++i) {
     pose = moved(pose, {3.0F, 1.0F, 5.0F});
@@ -80,7 +82,7 @@ TEST(Navigation, FlyingAwayFromANearTargetKeepsTheDirection) {
   EXPECT_TRUE(isUsable(framed({{0, 0, 1}, {0, 0, 0}}, speck, 0.8F, 1.0F)));
 }
 
-TEST(Navigation, PosesThatNoCameraCanHaveAreKnown) {
+TEST(Pose, PosesThatNoCameraCanHaveAreKnown) {
   EXPECT_TRUE(isUsable({{0, 0, 1}, {0, 0, 0}}));
   EXPECT_FALSE(isUsable({{1, 2, 3}, {1, 2, 3}}));
   EXPECT_FALSE(isUsable({{NAN, 0, 1}, {0, 0, 0}}));
@@ -88,7 +90,7 @@ TEST(Navigation, PosesThatNoCameraCanHaveAreKnown) {
   EXPECT_FALSE(isUsable({{3e38F, 0, 1}, {-3e38F, 0, 0}}));
 }
 
-TEST(Navigation, FramedBoxIsInView) {
+TEST(Pose, FramedBoxIsInView) {
   const Aabb box{glm::vec3(4, 5, 6), glm::vec3(7, 6, 9)};
   const Pose pose = framed({{0, 0, 9}, {0, 0, 0}}, box, 0.8F, 0.5F);
   const scene::Camera camera = scene::lookAt(pose.eye, pose.look, box);
@@ -102,7 +104,7 @@ TEST(Navigation, FramedBoxIsInView) {
   }
 }
 
-TEST(Navigation, PoseOfACameraGivesTheCamera) {
+TEST(Pose, PoseOfACameraGivesTheCamera) {
   const Aabb scene{glm::vec3(-2), glm::vec3(2)};
   const scene::Camera camera = scene::lookAt({3, 2, 5}, {1, 0, -1}, scene);
   const Pose pose = poseOf(camera, targetDistance(camera, scene));
@@ -170,10 +172,10 @@ TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
 
 TEST(RenderOptionTable, WhatDoesNotApplyIsDropped) {
   RenderOptions options = parsed("--mode hom --cull-threshold 0.9 --lod linear --view occlusion --map-level 2");
-  options.mode = "frustum";
-  options.lod = "finest";
-  options.view = "shaded";
-  options.lv = "thesis";
+  options.frameOptions.cullMode = CullMode::kFrustum;
+  options.frameOptions.lodRule = LodRule::kFinest;
+  options.frameOptions.view = View::kShaded;
+  options.lv = LvMeasure::kThesis;
   dropInapplicable(options);
   EXPECT_EQ(methodOptions(options), "--mode frustum --lod finest");
   EXPECT_NO_THROW(options.finishFrame());
@@ -220,6 +222,44 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   ViewSettings odd;
   odd.bookmarks["/caf\xe9.glb"][0] = Pose{{0, 0, 1}, {0, 0, 0}};
   EXPECT_NO_THROW(saveSettings(odd, folder / "deep/er")) << "a file name need not be UTF-8";
+}
+
+TEST(Settings, BookmarksOfAnotherViewerAreAddedNotReplaced) {
+  const Pose ours{{0, 0, 1}, {0, 0, 0}};
+  const Pose theirs{{0, 0, 2}, {0, 0, 0}};
+  ViewSettings settings;
+  settings.bookmarks["/a.glb"][0] = ours;
+  ViewSettings others;
+  others.bookmarks["/a.glb"][0] = theirs;
+  others.bookmarks["/a.glb"][1] = theirs;
+  others.bookmarks["/b.glb"][8] = theirs;
+  mergeBookmarks(settings, others);
+  EXPECT_EQ(settings.bookmarks["/a.glb"][0]->eye, ours.eye);
+  EXPECT_EQ(settings.bookmarks["/a.glb"][1]->eye, theirs.eye);
+  EXPECT_EQ(settings.bookmarks["/b.glb"][8]->eye, theirs.eye);
+}
+
+TEST(OutputFiles, NoFileIsNamedTwice) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(freshOutput(folder.path(), "shot", ".png"), folder / "shot-0001.png");
+  std::ofstream(folder / "shot-0001.png") << "x";
+  EXPECT_EQ(freshOutput(folder.path(), "shot", ".png"), folder / "shot-0002.png");
+  EXPECT_EQ(freshOutput(folder.path(), "shot", ".json"), folder / "shot-0001.json");
+}
+
+TEST(Region, DividerSplitsItIntoWholeColumns) {
+  const Region region{100.0F, 0.0F, 33.0F, 20.0F};
+  for (const float share : {0.0F, 0.5F, 0.51F, 1.0F}) {
+    const Region left = region.leftOf(share);
+    const Region right = region.rightOf(share);
+    EXPECT_EQ(left.x, region.x);
+    EXPECT_EQ(left.width, std::round(left.width));
+    EXPECT_EQ(left.x + left.width, right.x);
+    EXPECT_EQ(left.width + right.width, region.width);
+    EXPECT_EQ(right.height, region.height);
+  }
+  EXPECT_TRUE(region.holds({100.0F, 0.0F}));
+  EXPECT_FALSE(region.holds({133.0F, 0.0F})) << "the next document's first column";
 }
 
 TEST(FileWatch, ReportsAChangeOnceItIsOver) {
@@ -274,6 +314,15 @@ TEST(Actions, NoTwoShareAKey) {
   for (const Binding& a : bindings())
     for (const Binding& b : bindings())
       EXPECT_TRUE(&a == &b || a.key != b.key || a.mods != b.mods) << a.what << ", " << b.what;
+}
+
+TEST(Actions, EachHasOneKeyAndATooltipThatNamesIt) {
+  std::set<Action> actions;
+  for (const Binding& binding : bindings()) {
+    EXPECT_TRUE(actions.insert(binding.action).second) << binding.what;
+    EXPECT_TRUE(helpText(binding.action).ends_with(std::string("(") + binding.keys + ")")) << binding.what;
+  }
+  EXPECT_EQ(actions.size(), kActionCount);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The viewer as people use it: pointer, keys, picking, sizes, paths; and that its pictures are the headless ones.
+// The viewer under pointer and keys: navigation, picking, sizes, paths; its pictures equal those of `jalousie render`.
 #include <fstream>
 #include <glm/packing.hpp>
 #include <set>
@@ -65,25 +65,27 @@ TEST_F(ViewWindow, WheelZoomsKeysFlyAndBookmarksRemember) {
 }
 
 TEST_F(ViewWindow, EveryViewInEveryModeIsWhatRenderWrites) {
-  for (const char* mode : {"hiz", "full", "frustum", "hom", "hom-depth"}) {
-    EXPECT_EQ(state().configurations[0].active.mode, mode);
-    std::set<std::string> seen;
+  for (const char* name : {"hiz", "full", "frustum", "hom", "hom-depth"}) {
+    const CullModeRow& mode = rowOf(state().configurations[0].active.frameOptions.cullMode);
+    EXPECT_STREQ(mode.name, name);
+    std::set<View> seen;
     std::set<std::vector<std::uint8_t>> pictures;
-    while (seen.insert(state().configurations[0].active.view).second) {
-      expectHeadlessEqual(std::string(mode) + " " + state().configurations[0].active.view);
+    while (seen.insert(shownView()).second) {
+      const char* view = rowOf(shownView()).name;
+      expectHeadlessEqual(std::string(name) + " " + view);
       const bool fresh = pictures.insert(viewer_->capture().pixels).second;
-      const bool nothingCulled = std::string(mode) != "hiz" && state().configurations[0].active.view == "ghosts";
-      EXPECT_TRUE(fresh || nothingCulled) << state().configurations[0].active.view << " looks like another view";
+      const bool nothingCulled = !mode.twoPhases && shownView() == View::kGhosts;
+      EXPECT_TRUE(fresh || nothingCulled) << view << " looks like another view";
       settle();
       key("v");
     }
-    EXPECT_EQ(seen.size(), std::string(mode) == "hiz" ? 10U : std::string(mode).starts_with("hom") ? 9U : 6U) << mode;
+    EXPECT_EQ(seen.size(), mode.twoPhases ? 10U : mode.usesMap ? 9U : 6U) << name;
     key("m");
   }
 }
 
 TEST_F(ViewWindow, MapLevelsAndRectangles) {
-  while (state().configurations[0].active.view != "occlusion")
+  while (shownView() != View::kOcclusion)
     key("v");
   key("o");
   for (int level = 0; level < 4; ++level) {
@@ -122,16 +124,17 @@ TEST_F(ViewWindow, InspectionAgreesWithTheKernel) {
   // Every object's block measured again by the plain twin gives the LV that the kernel wrote.
   app::ViewOptions options;
   options.files = {scene()};
-  options.render.lv = "chord";
-  options.render.view = "holes";
-  options.render.lod = "lv-error";
+  options.render.lv = LvMeasure::kChord;
+  options.render.frameOptions.view = View::kHoles;
+  options.render.frameOptions.lodRule = LodRule::kLvError;
   options.outputs = folder_.path();
   options.render.width = kWidth;
   options.render.height = kHeight;
   int measured = 0;
   for (std::uint32_t trial = 0; trial < 24; ++trial) {
     const std::uint32_t object = std::array{7U, 8U, 9U, 12U, 14U, 17U, 18U, 19U}[trial / 3];
-    options.render.mode = std::array{"hom", "hom-depth", "hiz"}[trial % 3];
+    options.render.frameOptions.cullMode =
+        std::array{CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}[trial % 3];
     options.select = object;
     options.finish();
     viewer_.reset();  // one interface at a time
@@ -141,7 +144,7 @@ TEST_F(ViewWindow, InspectionAgreesWithTheKernel) {
     const app::Inspection& i = *state().inspection;
     EXPECT_EQ(i.instance, object);
     if (i.readout.state.verdict != gpu::kVerdictPartial) continue;
-    EXPECT_NEAR(i.block->lv[gpu::kLvChord], i.readout.state.lv, 1e-4F) << object;
+    EXPECT_NEAR(i.block->lv[static_cast<std::size_t>(LvMeasure::kChord)], i.readout.state.lv, 1e-4F) << object;
     const glm::vec2 cover = glm::unpackHalf2x16(i.readout.box.cover);
     EXPECT_NEAR(cover.x, 1.0F - i.block->openShare, 1e-3F) << object;
     EXPECT_NEAR(cover.y, std::min(i.block->chordPixels, 32768.0F), 1e-3F * cover.y) << object;
@@ -205,7 +208,7 @@ TEST_F(ViewWindow, FrozenCullingCameraStaysWhereItIs) {
   EXPECT_NE(pose().eye, frozen.eye);
   EXPECT_NE(viewer_->command(0).find("--freeze-eye"), std::string::npos);
   expectHeadlessEqual("behind the scene");
-  while (state().configurations[0].active.view != "ghosts")
+  while (shownView() != View::kGhosts)
     key("v");
   expectHeadlessEqual("ghosts behind the scene");
   key("c");
@@ -244,7 +247,7 @@ TEST_F(ViewWindow, RecordsAPathAndPlaysIt) {
 TEST_F(ViewWindow, SplitScreenIsTwoHeadlessPictures) {
   key("b");
   key("v");
-  ASSERT_NE(state().configurations[0].active.view, state().configurations[1].active.view);
+  ASSERT_NE(shownView(), state().configurations[1].active.frameOptions.view);
   drag(1, 320, 100, 200, 100);
   EXPECT_NEAR(state().divider, 200.0F / kWidth, 0.01F) << "the divider follows the pointer";
   std::array<ImageRgba8, 2> sides;

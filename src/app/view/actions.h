@@ -1,7 +1,9 @@
-// What the user can ask for by key or button, once: the keys, the help window and the buttons read this table.
+// Actions of keys and buttons, and the table of keys that key handling, help window and tooltips read.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string>
 
 namespace jalousie::app {
 
@@ -29,23 +31,29 @@ enum class Action {
   kClose,
   kQuit,
 };
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::kQuit) + 1;
 
+/// The key of an action.
 struct Binding {
   Action action;
-  int key;           ///< GLFW's
-  int mods;          ///< GLFW's, exactly these
-  const char* keys;  ///< for people
-  const char* what;  ///< what it does
+  int key;           ///< GLFW key
+  int mods;          ///< GLFW modifiers; no others may be held
+  const char* keys;  ///< name of the key, for the help window
+  const char* what;  ///< what the action does
 };
 
-/// All of them, in the order of the help window.
+/// One binding per action, in the order of the help window.
 std::span<const Binding> bindings();
 
-/// What the pointer and the keys that are held do: name and effect.
+/// What an action does and its key, for a tooltip: "Go back to the camera of the start (R)".
+std::string helpText(Action action);
+
+/// Use of the pointer, and of keys that are held down.
 struct PointerHelp {
   const char* how;
   const char* what;
 };
+/// In the order of the help window.
 std::span<const PointerHelp> pointerHelp();
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// Copies and blits.
+// The picture of the window: a texture with a framebuffer.
 #include "app/view/canvas.h"
 
 #include <array>
@@ -32,7 +32,7 @@ void Canvas::copy(const gl::Texture& source, std::uint32_t fromX, std::uint32_t 
 void Canvas::show() const {
   const auto w = static_cast<GLint>(width_);
   const auto h = static_cast<GLint>(height_);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);  // drivers learn a window's new size when it is bound, not when it is named
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);  // some drivers update the size of a window only when it is bound
   glViewport(0, 0, w, h);
   glBlitNamedFramebuffer(framebuffer_->id(), 0, 0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }

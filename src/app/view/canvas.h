@@ -10,24 +10,24 @@
 
 namespace jalousie::app {
 
-/// A picture of its own, so that a screenshot does not depend on what covers the window.
+/// An off-screen picture, so that a screenshot does not depend on what covers the window.
 class Canvas {
  public:
-  /// Does nothing if it has that size. @pre both sides > 0
+  /// Does nothing if the canvas has that size. @pre width, height > 0
   void resize(std::uint32_t width, std::uint32_t height);
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
-  /// Fills it with the colour of an empty window.
+  /// Fills the canvas with the colour of an empty window: glClearNamedFramebufferfv.
   void clear() const;
   /// Copies columns of a picture of the same height, bit for bit: glCopyImageSubData.
-  /// @param source  GL_SRGB8_ALPHA8   @param fromX  first column of it   @param toX  column of the canvas
+  /// @param source  GL_SRGB8_ALPHA8   @param fromX  first column of the source   @param toX  first column of the canvas
   void copy(const gl::Texture& source, std::uint32_t fromX, std::uint32_t toX, std::uint32_t columns) const;
-  /// glBindFramebuffer and glViewport, for drawing the interface.
+  /// Makes the canvas the target of the interface: glBindFramebuffer, glViewport.
   void bind() const { framebuffer_->bind(width_, height_); }
-  /// Waits for the GPU.
+  /// The canvas as an image. Waits for the GPU.
   ImageRgba8 read() const { return framebuffer_->readRgba8(width_, height_); }
-  /// glBlitNamedFramebuffer to the window.
+  /// Copies the canvas to the window: glBlitNamedFramebuffer.
   void show() const;
 
  private:

@@ -1,4 +1,4 @@
-// Numbers are printed so that they read back as the same bits.
+// The command line of the picture in the window. Numbers are printed so that they are read back bit for bit.
 #include "app/view/command_text.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The command line that gives the picture in the window.
+// The command line of the picture in the window.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace jalousie::app {
 
-/// `jalousie render FILE ...` with everything that differs from the defaults, quoted for a shell.
-/// @param options  as said, not finished: what finish() fills in is left to it
+/// `jalousie render FILE ...` with all options that differ from the defaults, quoted for a shell.
+/// @param options  options as chosen; values that finish() fills in may be missing
 std::string renderCommand(const RenderOptions& options, const std::string& output);
 
-/// The same options without file, cameras, size and output: what --split and configuration files take.
+/// The options that choose method and view, as --split and configuration files take them. File, cameras, size and
+/// output are left out.
 std::string methodOptions(const RenderOptions& options);
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// Loading and its failures.
+// One open file: loading, camera path, renderers.
 #include "app/view/document.h"
 
 #include <fmt/format.h>
@@ -16,16 +16,29 @@
 namespace jalousie::app {
 namespace {
 
-/// What a renderer is made for, its size aside, as a text that differs when another one is needed.
+/// The options that a renderer is made for, apart from its size. Renderers with equal texts are interchangeable.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}", options.detail, options.draws, options.coreOnly,
+  return fmt::format("{}|{}|{}|{}|{}", rowOf(options.frameOptions.detail).patches,
+                     static_cast<unsigned>(options.rendererOptions.submission), options.coreOnly,
                      options.rendererOptions.capacity.value_or(0), options.importance.string());
+}
+
+/// Runs a task; its failure becomes a value. @param file  named in a failure for lack of memory
+std::optional<Error> failureOf(const std::function<void()>& task, const std::filesystem::path& file) {
+  try {
+    task();
+    return std::nullopt;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorCode::kLimit, "out of memory", file);
+  }
 }
 
 }  // namespace
 
 Side::Side(const asset::SceneFile& file, const RenderOptions& options)
-    : scene_(scene::buildScene(file, {.patches = options.detail == "tessellation"})),
+    : scene_(scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches})),
       rendererOptions_(options.rendererOptions),
       madeFor_(keyOf(options)) {
   if (!options.importance.empty()) importance_.emplace(asset::loadImage(options.importance));
@@ -93,13 +106,7 @@ void Document::load() {
   wasLoaded_ = true;
   failures_ = {};
   failedFor_ = {};
-  try {
-    read();
-  } catch (const Error& error) {
-    fail(kFile, error);
-  } catch (const std::bad_alloc&) {
-    fail(kFile, Error(ErrorCode::kLimit, "out of memory", file_));
-  }
+  if (const auto failure = failureOf([&] { read(); }, file_)) fail(kFile, *failure);
   loadPath(first);
 }
 
@@ -124,8 +131,9 @@ void Document::loadPath(bool refusesFrames) {
     path_ = scene_->cameras;
   }
   if (path_.empty() && (camera.frame || camera.freezeFrame))
-    fail(kPath, Error(ErrorCode::kUsage,
-                      "the scene has no camera path, so it has no frames: the whole scene is in view", file_));
+    fail(kPath,
+         Error(ErrorCode::kUsage,
+               "the scene has no camera path, so no frame of it can be shown; the whole scene is in view", file_));
   const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
   for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
     if (path_.empty()) frame->reset();
@@ -144,20 +152,15 @@ Side* Document::prepare(int index, const RenderOptions& options) {
   const std::string key = fmt::format("{}x{}|{}", options.width, options.height, keyOf(options));
   if (failedFor_[i] == key) return side.get();
   const auto attempt = [&](const std::function<void()>& task) {
-    try {
-      task();
-      return true;
-    } catch (const Error& error) {
-      fail(kSide + i, error);
-    } catch (const std::bad_alloc&) {
-      fail(kSide + i, Error(ErrorCode::kLimit, "out of memory", file_));
-    }
+    const std::optional<Error> failure = failureOf(task, file_);
+    if (!failure) return true;
+    fail(kSide + i, *failure);
     failedFor_[i] = key;
     return false;
   };
   const bool made =
       (side != nullptr && side->fits(options)) || attempt([&] { side = std::make_unique<Side>(*scene_, options); });
-  // What was there before goes on, at the new size too; half resized it is of no use.
+  // An older renderer stays in use and is resized too. If that fails, it is in an undefined state and is removed.
   if (side != nullptr && !attempt([&] { side->resize(options.width, options.height); }))
     side.reset();
   else if (made)
@@ -173,19 +176,16 @@ void Document::forgetFailure(std::size_t side) {
 std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
   for (std::size_t i = 0; i < kSides; ++i)
     forgetFailure(i);
-  try {
-    std::array<std::unique_ptr<Side>, kSides> fresh;
+  std::array<std::unique_ptr<Side>, kSides> fresh;
+  const auto build = [&] {
     for (std::size_t i = 0; i < kSides; ++i)
       if (sides_[i] != nullptr && scene_ && sides_[i]->fits(options[i]))
         fresh[i] = std::make_unique<Side>(*scene_, options[i]);
-    for (std::size_t i = 0; i < kSides; ++i)
-      if (fresh[i] != nullptr) sides_[i] = std::move(fresh[i]);
-    return {};
-  } catch (const Error& error) {
-    return error.what();
-  } catch (const std::bad_alloc&) {
-    return "out of memory";
-  }
+  };
+  if (const auto failure = failureOf(build, file_)) return failure->what();
+  for (std::size_t i = 0; i < kSides; ++i)
+    if (fresh[i] != nullptr) sides_[i] = std::move(fresh[i]);
+  return {};
 }
 
 }  // namespace jalousie::app

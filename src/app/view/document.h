@@ -1,4 +1,4 @@
-// One open file: its scene on the GPU under one or two configurations, and what went wrong with it.
+// One open file: its scene on the GPU under one or two configurations, and its failures.
 #pragma once
 
 #include <array>
@@ -11,14 +11,16 @@
 
 #include "app/capture.h"
 #include "app/view/file_watch.h"
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
+#include "render/frame_renderer.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::app {
 
-/// The scene under one configuration. Not movable: the renderer refers to the scene.
+/// A scene with the renderer of one configuration. Not movable: the renderer refers to the scene.
 class Side {
  public:
   /// Errors: as FrameRenderer and loadImage.
@@ -26,11 +28,11 @@ class Side {
   Side(const Side&) = delete;
   Side& operator=(const Side&) = delete;
 
-  /// Whether a renderer made for these options would be the same, its size aside.
+  /// Whether these options need no other renderer, apart from its size.
   bool fits(const RenderOptions& options) const;
   const scene::SceneData& scene() const { return scene_; }
   render::FrameRenderer& renderer() { return *renderer_; }
-  /// Size in pixels; does nothing if it is that already.
+  /// Changes the size of the picture, pixels; does nothing if it has that size.
   void resize(std::uint32_t width, std::uint32_t height);
 
  private:
@@ -41,7 +43,7 @@ class Side {
   std::optional<render::FrameRenderer> renderer_;
 };
 
-/// Cameras as the options of `jalousie render` say them.
+/// Cameras of a document, as the options of `jalousie render` name them.
 struct CameraChoice {
   std::filesystem::path path;
   std::optional<float> frame;
@@ -54,43 +56,46 @@ struct CameraChoice {
   void applyTo(RenderOptions& options) const;
 };
 
-/// A file in the window. Every failure becomes a message, and what worked before goes on.
+/// An open file. Failures are stored, not thrown; what was loaded before stays in use.
 class Document {
  public:
   static constexpr int kSides = 2;
 
-  /// Reads nothing yet.
+  /// Reads nothing yet: see load().
   Document(std::filesystem::path file, const CameraChoice& camera);
 
   const std::filesystem::path& file() const { return file_; }
-  /// Reads the file. On failure the scene that was there stays.
+  /// Reads the file. After a failure, the scene loaded before stays.
   void load();
   /// Whether load() was called.
   bool wasLoaded() const { return wasLoaded_; }
-  /// As FileWatch::changed of the file and of what it names.
+  /// FileWatch::changed() of the file and of all files that it names.
   bool changedOnDisk() { return watch_.changed(); }
-  /// A culling camera that is frozen at a frame stays where it is when the path becomes another one.
+  /// Turns a culling camera frozen at a frame of the path into one frozen at its pose, because the path will change.
   void keepFrozenCamera();
-  /// Reads the camera path of camera.path, or the scene's own; frames beyond it become its last.
-  /// @param refusesFrames  such a frame is an error, as it was asked for
+  /// Reads the camera path of camera.path, else that of the scene. Frames beyond the path become its last frame.
+  /// @param refusesFrames  records such a frame as a failure, because the user asked for it
   void loadPath(bool refusesFrames = false);
 
-  /// One configuration, made if it is not there. Null if that failed; the reason is in error().
-  /// @param options  finished, with the size of this picture
+  /// Makes the renderer of one configuration if there is none that fits. A combination that failed is not tried again
+  /// until options or file change. @return null if there is no renderer, not even an older one; see error()
+  /// @param options  finished, with the size of the picture
   Side* prepare(int side, const RenderOptions& options);
-  /// What prepare() returned last; null where there is nothing.
+  /// What prepare() returned last; null before.
   Side* side(int side) { return sides_[static_cast<std::size_t>(side)].get(); }
-  /// Builds all programs anew, for changed shaders. On failure the last good ones go on. @return the error, or empty
+  /// Builds all programs again after a change of the shaders. After a failure, the last working programs stay in use.
+  /// @return the failure; empty if there was none
   std::string rebuild(const RenderOptions (&options)[kSides]);
 
-  /// What is wrong: with the file, its path, a configuration; empty: all is well.
+  /// First failure of the file, its path, or a configuration; empty if there is none.
   const std::string& error() const { return failures_[worst()].text; }
   ErrorCode errorCode() const { return failures_[worst()].code; }
-  /// A configuration that is not shown has nothing to complain of, and is tried again when it is.
+  /// Forgets the failure of a configuration, so that prepare() tries it again.
   void forgetFailure(std::size_t side);
   const std::vector<asset::Camera>& path() const { return path_; }
-  /// Bounds of the scene, also before a renderer exists.
+  /// Bounds of the scene; known as soon as the file is loaded.
   Aabb boundsWorld() const { return boundsWorld_; }
+  /// Frames of the first camera path; 0 if there is none.
   std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
 
   CameraChoice camera;
@@ -102,7 +107,7 @@ class Document {
   };
   static constexpr std::size_t kFile = 0;
   static constexpr std::size_t kPath = 1;
-  static constexpr std::size_t kSide = 2;  ///< the first of two
+  static constexpr std::size_t kSide = 2;  ///< first of kSides entries, one per configuration
   void fail(std::size_t what, const Error& error) { failures_[what] = {error.what(), error.code()}; }
   std::size_t worst() const;
   void read();
@@ -115,7 +120,7 @@ class Document {
   std::vector<asset::Camera> path_;
   std::array<std::unique_ptr<Side>, kSides> sides_;
   std::array<Failure, kSide + kSides> failures_;
-  std::array<std::string, kSides> failedFor_;  ///< what prepare() failed for: not tried again in every frame
+  std::array<std::string, kSides> failedFor_;  ///< options and size for which prepare() failed
 };
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// Polling: it works on every file system, and a few files a second cost nothing.
+// Detects changes of files by polling, which works on every file system and is cheap for a few files a second.
 #include "app/view/file_watch.h"
 
 namespace jalousie::app {

@@ -1,4 +1,4 @@
-// Notices that files change, by their time and size.
+// Detects changes of files by their modification time and size.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace jalousie::app {
 
-/// Looks at files, or at every file of a folder and below. What is asked for is remembered between calls.
+/// Watches files, or all files of a folder and its subfolders, by polling.
 class FileWatch {
  public:
   FileWatch() = default;
-  /// @param recursive  a folder stands for all files in it and below
+  /// @param recursive  a folder stands for all files in it and its subfolders
   explicit FileWatch(const std::filesystem::path& path, bool recursive = false) : recursive_(recursive) {
     watch({path});
   }
 
-  /// From now on these. What was watched already keeps what is known of it; what is new counts as it is now.
+  /// Replaces the watched paths. For a path that was watched before, the state that changed() reported last stays the
+  /// reference; for a new path, the state of this moment is.
   void watch(std::vector<std::filesystem::path> paths);
 
-  /// Whether anything differs from the last call (or the constructor), and has stayed the same since the call before:
-  /// a file that is still being written is not reported yet.
+  /// Whether anything differs from the state reported last and has stayed the same since the last call, so that a file
+  /// is not reported while it is being written.
   bool changed();
 
  private:

@@ -1,4 +1,4 @@
-// A ring by time.
+// The history as a queue of samples, and its JSON.
 #include "app/view/frame_history.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Figures of the last seconds: for the graph, and as JSON.
+// Statistics and times of the frames of the last 10 s, for the frame graph and as JSON.
 #pragma once
 
 #include <deque>
@@ -12,13 +12,13 @@
 namespace jalousie::app {
 
 struct FrameSample {
-  double seconds = 0.0;                                ///< when, since the program started
+  double seconds = 0.0;                                ///< time of the frame, as secondsNow()
   double frameMs = 0.0;                                ///< sum of the passes
   std::vector<std::pair<std::string, double>> passes;  ///< name and milliseconds, in frame order
-  render::FrameStatistics statistics;                  ///< the newest that had arrived: up to two frames older
+  render::FrameStatistics statistics;  ///< newest statistics read back: of this frame or up to two frames older
 };
 
-/// The frames of one configuration, newest last.
+/// The frames of one configuration, newest last. Frames older than kSeconds or beyond kMostFrames are removed.
 class FrameHistory {
  public:
   static constexpr double kSeconds = 10.0;
@@ -35,7 +35,7 @@ class FrameHistory {
   std::deque<FrameSample> samples_;
 };
 
-/// A frame's sample. @param passes  of the timer
+/// Sample of a frame. @param passes  times of the passes, in frame order
 FrameSample makeSample(double seconds, const std::vector<PassTime>& passes,
                        const render::FrameStatistics& statistics);
 

@@ -1,4 +1,4 @@
-// Decoded once, when the window opens.
+// The icon of the window, decoded once when the window opens.
 #include "app/view/icon.h"
 
 #include <epoxy/gl.h>

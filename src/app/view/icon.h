@@ -1,4 +1,4 @@
-// The program's icon, for the window.
+// The icon of the window.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@ struct GLFWwindow;
 
 namespace jalousie::app {
 
-/// PNG, 64 pixels a side; the build makes it of assets/desktop/jalousie.svg.
+/// PNG of 64 x 64 pixels, which the build makes from assets/desktop/jalousie.svg.
 std::span<const std::byte> embeddedIcon();
 
-/// glfwSetWindowIcon. Errors: as asset::decodeImage.
+/// Sets the icon of a window: glfwSetWindowIcon. Errors: as asset::decodeImage.
 void setWindowIcon(GLFWwindow* window);
 
 }  // namespace jalousie::app

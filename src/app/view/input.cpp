@@ -1,4 +1,4 @@
-// GLFW's callbacks.
+// Events of a window, collected by GLFW callbacks.
 #include "app/view/input.h"
 
 #include <epoxy/gl.h>

@@ -1,4 +1,4 @@
-// Events of a window, in the order they came: a key that is pressed and released between two slow frames is not lost.
+// Events of a window in their order, so that a key pressed and released between two slow frames is not lost.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@ namespace jalousie::app {
 struct InputEvent {
   enum class Kind { kKey, kButton, kMove, kWheel, kDrop, kFocusLost };
   Kind kind = Kind::kMove;
-  int code = 0;          ///< GLFW's key or button
-  bool pressed = false;  ///< of a key or button; a key that is held down is pressed once
-  int mods = 0;          ///< GLFW's modifiers
-  glm::vec2 at{0.0F};    ///< pointer in pixels of the framebuffer, origin at the upper left; the wheel's steps
-  std::vector<std::filesystem::path> files = {};  ///< dropped
+  int code = 0;          ///< GLFW key or button
+  bool pressed = false;  ///< key or button went down; a held key gives one event
+  int mods = 0;          ///< GLFW modifiers
+  glm::vec2 at{0.0F};    ///< pointer in pixels of the framebuffer, origin at the upper left; kWheel: steps
+  std::vector<std::filesystem::path> files = {};  ///< dropped files and folders
 };
 
-/// Collects the events of a window while it lives; make it before the interface library installs its own callbacks,
-/// which call these. Not movable: the window holds its address.
+/// Collects the events of a window during its own lifetime. Must be constructed before Dear ImGui installs its
+/// callbacks, which call the ones installed before. Not movable: the window holds its address.
 class Input {
  public:
   explicit Input(GLFWwindow* window);
@@ -28,9 +28,9 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  /// The events since the last call.
+  /// The events since the last call, oldest first.
   std::vector<InputEvent> take();
-  /// Whether a key is held down now.
+  /// Whether a key is held down now and the window has the focus.
   bool held(int key) const;
 
  private:

@@ -1,4 +1,4 @@
-// Read-backs, then the references of src/visibility.
+// Reads back what the kernels wrote about one object, and computes the rest with the references of src/visibility.
 #include "app/view/inspection.h"
 
 #include <fmt/format.h>
@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "core/check.h"
+#include "policy/traits.h"
+#include "render/frame_renderer.h"
 #include "visibility/hiddenness.h"
 #include "visibility/lod_policy.h"
+#include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::app {
 namespace {
@@ -19,27 +22,27 @@ std::string verdictText(gpu::uint verdict) {
     case gpu::kVerdictOutside:
       return "outside the frustum: not drawn";
     case gpu::kVerdictOccluded:
-      return "hidden: not drawn";
+      return "occluded: not drawn";
     case gpu::kVerdictOccluder:
-      return "occluder: near enough to be drawn into the map";
+      return "occluder: nearer than --occluder-distance";
     case gpu::kVerdictNear:
-      return "crosses the near plane: has no finite rectangle, counts as visible";
+      return "visible: the bounding box crosses the near plane, so it has no finite AABR";
     case gpu::kVerdictOpen:
-      return "open: nothing lies in front of it";
+      return "visible: nothing is in front of its bounding box";
     case gpu::kVerdictPartial:
-      return "partly covered";
+      return "partly occluded";
     case gpu::kVerdictPending:
-      return "in view; this mode does not test what covers it";
+      return "in the frustum; this mode does not test occlusion";
     case gpu::kVerdictSmall:
-      return "smaller than the contribution threshold: not drawn";
+      return "smaller than --min-pixels: not drawn";
     default:
-      return "hidden now, drawn because it was visible in the last frame";
+      return "occluded, but drawn in phase 1 because it was visible in the last frame";
   }
 }
 
-/// The box that the analysis looked at: with hom-depth it grows by the occluders' own error.
+/// The rectangle that the kernel analyses: with depth beside a map it grows by the screen-space error of the occluders.
 gpu::ScreenBox guarded(gpu::ScreenBox box, const gpu::CullView& view) {
-  if (view.cullMode != gpu::kCullHomDepth) return box;
+  if (!has(view.traits, gpu::kTraitUsesMap) || !has(view.traits, gpu::kTraitUsesDepth)) return box;
   const float guard = std::ceil(view.occluderTau);
   box.minX = std::max(box.minX - guard, 0.0F);
   box.minY = std::max(box.minY - guard, 0.0F);
@@ -66,61 +69,71 @@ InspectedBlock measureBlock(const Cover& cover, const gpu::ScreenBox& box) {
   result.openShare = visibility::openShare({width, height, open});
   result.fineness = visibility::spectralFineness({width, height, open});
   result.chordPixels = visibility::meanOpenChord({width, height, open}) * texelPixels;
-  for (gpu::uint measure = 0; measure < gpu::kLvCount; ++measure)
-    result.lv[measure] = visibility::blockLv(measure, {width, height, result.block.opacity}, texelPixels);
+  for (const LvMeasureRow& measure : lvMeasureTable())
+    result.lv[static_cast<std::size_t>(measure.id)] =
+        visibility::blockLv(measure.trait, {width, height, result.block.opacity}, texelPixels);
   return result;
 }
 
-/// Draws what hid once more, reads it back, and measures the object's block on it.
+/// Draws the occluders again, reads back the map or pyramid, and measures the object's block on it.
 std::optional<InspectedBlock> inspectBlock(const gpu::ScreenBox& box, render::FrameRenderer& renderer) {
   const gpu::CullView& view = renderer.cullView();
-  const bool usesMap = view.cullMode == gpu::kCullHom || view.cullMode == gpu::kCullHomDepth;
-  if (!usesMap && view.cullMode != gpu::kCullHiz) return std::nullopt;
+  const bool usesMap = has(view.traits, gpu::kTraitUsesMap);
+  const bool usesDepth = has(view.traits, gpu::kTraitUsesDepth);
+  if (!has(view.traits, gpu::kTraitTestsOcclusion)) return std::nullopt;
   renderer.renderCover();
   std::optional<visibility::OcclusionMapReference> map;
   std::optional<visibility::DepthPyramidReference> pyramid;
   if (usesMap) map.emplace(renderer.map().layout(), renderer.map().readOpenPixels());
-  if (view.cullMode != gpu::kCullHom) pyramid.emplace(renderer.map().layout(), renderer.readDepth(), usesMap);
+  if (usesDepth) pyramid.emplace(renderer.map().layout(), renderer.readDepth(), usesMap);
   const Cover cover{map ? &*map : nullptr, pyramid ? &*pyramid : nullptr};
   return measureBlock(cover, guarded(box, view));
 }
 
-std::string whyByError(const Inspection& i, const gpu::CullView& view) {
-  const bool relaxes = view.lodRule == gpu::kLodLvError;
-  if (i.cuts > 0)
-    return fmt::format(
-        "Patches over level {} err by {:.3g} px where they are flat; cut into {} they keep within {:.3g} px.", i.chosen,
-        i.levels[i.chosen].errorPixels, i.cuts, i.tau * i.relaxed);
-  std::string text = fmt::format("{:.3g} px of error may show, and level {} keeps within it", i.tau, i.finest);
-  if (relaxes && i.relaxed > 1.0F)
-    text += fmt::format(". {:.3g} % of it can be seen, so up to {:.3g} px would do, level {}",
+/// The level as the budget decides it.
+std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
+  std::string text = fmt::format("Budget {:.3g} px: level {}.", i.tau, i.finest);
+  if (i.relaxed > 1.0F)
+    text += fmt::format(" Visible share {:.3g} %: budget {:.3g} px: level {}.",
                         100.0F * visibility::visibleShare(i.readout.state.lv), i.tau * i.relaxed, i.coarsest);
   if (i.finest != i.coarsest)
-    text += fmt::format(
-        ". Among these, level {} costs least: a coarser one must save more triangles than its error is "
-        "worth",
-        i.chosen);
-  if (view.calm != 0) text += ". Calm: it may lag behind by the margin, one level at a time";
+    text += fmt::format(" From level {} to {}, level {} has the lowest cost of triangles and error.", i.finest,
+                        i.coarsest, i.chosen);
+  if (view.calm != 0) text += " With --calm, the level changes by one step at a time and only beyond a margin.";
   const bool unmeasured = std::any_of(i.levels.begin(), i.levels.end(),
                                       [](const InspectedLevel& level) { return std::isinf(level.errorObject); });
-  if (unmeasured) text += ". Levels whose error the file does not say are never chosen";
-  return text + ".";
+  if (unmeasured) text += " Levels without an error in the file are not used.";
+  return text;
+}
+
+/// The division of patches as the budget decides it.
+std::string patchReason(const Inspection& i) {
+  return fmt::format(
+      "Flat patches of level {} have an error of {:.3g} px. With each edge divided into {}, the error is within the "
+      "budget of {:.3g} px.",
+      i.chosen, i.levels[i.chosen].errorPixels, i.cuts, i.tau * i.relaxed);
+}
+
+/// The level as LV decides it, --lod linear.
+std::string linearReason(const Inspection& i) {
+  const float lv = i.readout.state.lv;
+  if (i.cuts > 0) return fmt::format("LV {:.3f}: each edge of the patches is divided into {}.", lv, i.cuts);
+  if (i.readout.state.verdict == gpu::kVerdictOccluder) return "Occluders are drawn at level 0.";
+  return fmt::format(
+      "LV {:.3f}: occluded share {:.1f} %. The level is at the same share of the way from finest to coarsest.", lv,
+      100.0F * visibility::hiddenShare(lv));
+}
+
+bool isDrawn(gpu::uint verdict) {
+  return verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall && verdict != gpu::kVerdictOccluded;
 }
 
 std::string whyText(const Inspection& i, const gpu::CullView& view) {
-  const gpu::uint verdict = i.readout.state.verdict;
-  if (verdict == gpu::kVerdictOutside || verdict == gpu::kVerdictSmall || verdict == gpu::kVerdictOccluded)
-    return "It is not drawn; the level is the one it would have.";
-  if (view.lodRule == gpu::kLodFinest) return "The rule draws every object at level 0.";
-  if (view.lodRule == gpu::kLodLinear) {
-    if (i.cuts > 0) return fmt::format("LV {:.3f} cuts the edges of the patches into {}.", i.readout.state.lv, i.cuts);
-    if (verdict == gpu::kVerdictOccluder) return "Occluders are drawn at level 0.";
-    return fmt::format(
-        "LV {:.3f} is {:.1f} % of the way from open to covered, and so is the level from finest to "
-        "coarsest.",
-        i.readout.state.lv, 100.0F * visibility::hiddenShare(i.readout.state.lv));
-  }
-  return whyByError(i, view);
+  if (!isDrawn(i.readout.state.verdict)) return "The object is not drawn. The level is the one it would be drawn at.";
+  const bool followsError = has(view.traits, gpu::kTraitFollowsError);
+  if (!followsError && has(view.traits, gpu::kTraitFollowsLv)) return linearReason(i);
+  if (!followsError) return "--lod finest draws every object at level 0.";
+  return i.cuts > 0 ? patchReason(i) : budgetReason(i, view);
 }
 
 void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::CullView& view) {
@@ -131,11 +144,13 @@ void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::Cull
     i.levels.push_back({lod.triangleCount, lod.errorObject, lod.errorObject * pixelsPerUnit});
   i.tau = i.readout.box.tau;
   i.importance = i.tau > 0.0F ? view.tau / i.tau : 1.0F;
-  if (view.lodRule == gpu::kLodLvError) i.relaxed = visibility::relaxedBudget(i.readout.state.lv, view.relax);
-  if (view.lodRule == gpu::kLodLvError && view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed);
+  if (has(view.traits, gpu::kTraitFollowsError) && has(view.traits, gpu::kTraitFollowsLv)) {
+    i.relaxed = visibility::relaxedBudget(i.readout.state.lv, view.relax);
+    if (view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed);
+  }
   i.finest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau);
   i.coarsest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau * i.relaxed);
-  const bool patches = view.detail == gpu::kDetailTessellation;
+  const bool patches = has(view.traits, gpu::kTraitPatches);
   i.chosen = patches ? chain.patchLod : i.readout.state.lod;
   i.cuts = patches ? i.readout.state.tessellation : 0;
 }
@@ -156,7 +171,7 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
   result.readout = renderer.readObject(object);
   const gpu::ScreenBox& box = result.readout.box;
   result.hasRect = box.maxX > box.minX && box.maxY > box.minY;
-  if (options.lvMeasure == gpu::kLvPixels && (result.readout.marks & gpu::kMarkCounted) != 0 && result.hasRect)
+  if (options.lvMeasure == LvMeasure::kPixels && (result.readout.marks & gpu::kMarkCounted) != 0 && result.hasRect)
     result.countedLv =
         visibility::pixelsLv(static_cast<float>(result.readout.pixels), (box.maxX - box.minX) * (box.maxY - box.minY));
   inspectLevels(result, scene, view);

@@ -1,4 +1,4 @@
-// Context, style and backends.
+// Dear ImGui in a window: context, font, style, backends.
 #include "app/view/interface.h"
 
 #include <epoxy/gl.h>
@@ -53,7 +53,8 @@ void style(float scale) {
   s.ScaleAllSizes(scale);
 }
 
-/// The places of windows in a text of the library's own form, and nothing else: its parser trusts the rest.
+/// The positions and sizes of windows in a text of Dear ImGui's format. Everything else is removed, because the text is
+/// untrusted input and the library's parser does not check it.
 std::string windowPlaces(const std::string& text) {
   std::string places;
   std::istringstream lines(text);
@@ -66,8 +67,7 @@ std::string windowPlaces(const std::string& text) {
   return places;
 }
 
-/// From the window's screen coordinates, where these are not pixels, to pixels: overlays share their frame with
-/// pictures.
+/// Converts from screen coordinates to pixels where these differ, because overlays are drawn in the pixels of pictures.
 void usePixels() {
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 pixels = io.DisplayFramebufferScale;
@@ -98,7 +98,7 @@ void Interface::useScale(float scale) {
   scale_ = scale;
   loadFont(scale);
   style(scale);
-  // The backend makes the font's texture once, with its other objects: they are made anew in the next frame.
+  // The backend creates the texture of the font together with its other objects, in the next frame.
   ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }
 

@@ -1,4 +1,4 @@
-// Dear ImGui in a window: made, begun and drawn once a frame.
+// Dear ImGui in a window: set up once, begun and drawn once per frame.
 #pragma once
 
 #include <string>
@@ -7,24 +7,27 @@ struct GLFWwindow;
 
 namespace jalousie::app {
 
-/// One at a time. Keeps nothing on disk. Its unit is the pixel of the framebuffer, whatever the window's own is.
+/// Only one may exist at a time. Writes no files. Coordinates are pixels of the framebuffer, whatever the screen
+/// coordinates of the window are.
 class Interface {
  public:
-  /// @param scale  of everything; 0: the display's, also when the window moves to another one   @param layout  as
-  /// layout() returned it once; may be empty
+  /// @param scale   of all widgets; 0: that of the display, also after the window moves to another display
+  /// @param layout  from layout(), for the positions of the windows; may be empty
+  /// Errors: kShader if the programs of the interface do not build.
   Interface(GLFWwindow* window, float scale, const std::string& layout);
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
+  /// Begins a frame; widgets may be declared from now on.
   void begin();
-  /// Draws into the bound framebuffer.
+  /// Ends the frame and draws it into the bound framebuffer.
   void end();
-  /// Whether the pointer or the keyboard is busy with the interface.
+  /// Whether pointer or key events belong to the interface.
   bool wantsPointer() const;
   bool wantsKeys() const;
   float scale() const { return scale_; }
-  /// Places of the windows, to keep.
+  /// Positions and sizes of the windows, as text to be stored.
   std::string layout() const;
 
  private:
@@ -32,7 +35,7 @@ class Interface {
 
   GLFWwindow* window_;
   bool followsDisplay_;
-  float scale_ = 0.0F;  ///< not yet
+  float scale_ = 0.0F;  ///< 0 until it is set
 };
 
 }  // namespace jalousie::app

@@ -1,5 +1,10 @@
-// Spherical coordinates around the eye or around the target.
+// How pointer and keys move the camera and the divider.
 #include "app/view/navigation.h"
+
+#include <epoxy/gl.h>
+// epoxy must come before GLFW, which otherwise includes the system's OpenGL header.
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,118 +12,90 @@
 namespace jalousie::app {
 namespace {
 
-constexpr float kMostPitch = 1.553F;  // 89 degrees: the poles have no side
-constexpr float kZoomPerStep = 0.85F;
-/// Of the target's coordinates: some hundred units in their last place.
-constexpr float kLeastDistance = 1e-4F;
-constexpr float kMostDistance = 1e12F;  // world units
-
-struct Angles {
-  float yaw, pitch;
-};
-
-Angles anglesOf(const glm::vec3& direction) {
-  const glm::vec3 d = glm::normalize(direction);
-  return {std::atan2(d.x, d.z), std::asin(std::clamp(d.y, -1.0F, 1.0F))};
-}
-
-glm::vec3 directionOf(const Angles& a) {
-  return {std::sin(a.yaw) * std::cos(a.pitch), std::sin(a.pitch), std::cos(a.yaw) * std::cos(a.pitch)};
-}
-
-glm::vec3 rotated(const glm::vec3& direction, float yaw, float pitch) {
-  Angles angles = anglesOf(direction);
-  angles.yaw += yaw;
-  angles.pitch = std::clamp(angles.pitch + pitch, -kMostPitch, kMostPitch);
-  return glm::length(direction) * directionOf(angles);
-}
-
-struct Frame {
-  glm::vec3 right, up, forward;
-};
-
-Frame frameOf(const Pose& pose) {
-  const glm::vec3 forward = glm::normalize(pose.look - pose.eye);
-  const glm::vec3 side = glm::cross(forward, glm::vec3(0.0F, 1.0F, 0.0F));
-  const glm::vec3 right = glm::length(side) > 1e-5F ? glm::normalize(side) : glm::vec3(1.0F, 0.0F, 0.0F);
-  return {right, glm::cross(right, forward), forward};
-}
+constexpr float kRadiansPerPixel = 0.005F;
+constexpr float kClickPixels = 4.0F;
+constexpr float kDividerPixels = 7.0F;
+constexpr float kSpeedPerStep = 1.25F;
+/// Share of the scene's diagonal that the camera flies in a second at speed 1.
+constexpr float kFlightShare = 0.1F;
+constexpr int kFlightKeys[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_Q, GLFW_KEY_E};
 
 }  // namespace
 
-bool isUsable(const Pose& pose) {
-  for (glm::length_t k = 0; k < 3; ++k)
-    if (!std::isfinite(pose.eye[k]) || !std::isfinite(pose.look[k])) return false;
-  const float distance = glm::length(pose.eye - pose.look);
-  return distance > 0.0F && std::isfinite(distance);
+Navigation::Navigation(ViewState& state, Documents& documents, Cameras& cameras, Messages& messages,
+                       const Interface& interface)
+    : state_(state), documents_(documents), cameras_(cameras), messages_(messages), interface_(interface) {}
+
+void Navigation::press(const InputEvent& event) {
+  pointer_ = event.at;
+  state_.current = documents_.at(event.at).value_or(state_.current);
+  dragFrom_ = event.at;
+  dragged_ = false;
+  drag_ = dragFor(event);
 }
 
-Pose poseOf(const scene::Camera& camera, float distance) {
-  const glm::vec3 eye = camera.positionWorld();
-  return {eye, eye - distance * glm::vec3(camera.worldFromCamera[2])};
+Navigation::Drag Navigation::dragFor(const InputEvent& event) const {
+  if (event.code == GLFW_MOUSE_BUTTON_RIGHT) return Drag::kLook;
+  if (event.code == GLFW_MOUSE_BUTTON_MIDDLE) return Drag::kPan;
+  if (event.code != GLFW_MOUSE_BUTTON_LEFT) return drag_;
+  const Region where = documents_.region(state_.current);
+  const float toDivider = std::abs(event.at.x - where.x - state_.divider * where.width);
+  if (state_.showsDivider() && toDivider < kDividerPixels * interface_.scale()) return Drag::kDivider;
+  return (event.mods & GLFW_MOD_SHIFT) != 0 ? Drag::kPan : Drag::kTurn;
 }
 
-float targetDistance(const scene::Camera& camera, const Aabb& sceneWorld) {
-  if (sceneWorld.empty()) return 1.0F;
-  const glm::vec3 forward = -glm::vec3(camera.worldFromCamera[2]);
-  const float ahead = glm::dot(sceneWorld.center() - camera.positionWorld(), forward);
-  return std::max({ahead, 0.01F * sceneWorld.diagonal(), 1e-4F});
+std::optional<glm::vec2> Navigation::release(const InputEvent& event) {
+  pointer_ = event.at;
+  const bool click = drag_ == Drag::kTurn && !dragged_ && event.code == GLFW_MOUSE_BUTTON_LEFT;
+  endDrag();
+  return click ? std::optional(event.at) : std::nullopt;
 }
 
-Pose orbited(const Pose& pose, float yaw, float pitch) {
-  return {pose.look + rotated(pose.eye - pose.look, yaw, pitch), pose.look};
+void Navigation::moveTo(const glm::vec2& pointer) {
+  const glm::vec2 by = pointer - pointer_;
+  pointer_ = pointer;
+  if (drag_ == Drag::kNone || by == glm::vec2(0.0F)) return;
+  if (drag_ == Drag::kDivider) {
+    const Region where = documents_.region(state_.current);
+    state_.divider = std::clamp((pointer.x - where.x) / std::max(where.width, 1.0F), 0.0F, 1.0F);
+    return;
+  }
+  if (!dragged_ && glm::length(pointer - dragFrom_) < kClickPixels * interface_.scale()) return;
+  const glm::vec2 pixels = dragged_ ? by : pointer - dragFrom_;
+  dragged_ = true;
+  if (documents_.current() != nullptr) dragCamera(pixels);
 }
 
-Pose turned(const Pose& pose, float yaw, float pitch) {
-  return {pose.eye, pose.eye + rotated(pose.look - pose.eye, yaw, pitch)};
+void Navigation::dragCamera(const glm::vec2& pixels) {
+  const Pose pose = cameras_.pose();
+  const glm::vec2 angles = kRadiansPerPixel * pixels;
+  if (drag_ == Drag::kTurn) return cameras_.move(orbited(pose, -angles.x, angles.y));
+  if (drag_ == Drag::kLook) return cameras_.move(turned(pose, -angles.x, -angles.y));
+  const float focalPixels = scene::focalPixels(documents_.drawCamera(state_.current), documents_.height());
+  cameras_.move(panned(pose, pixels.x, -pixels.y, focalPixels));
 }
 
-namespace {
-
-/// The least distance of a target that rounding leaves apart from the eye.
-float leastDistance(const glm::vec3& at) {
-  const glm::vec3 size = glm::abs(at);
-  return kLeastDistance * std::max({size.x, size.y, size.z, 1e-3F});
+void Navigation::wheel(float steps, const Input& input) {
+  if (documents_.current() == nullptr) return;
+  const bool flying = drag_ == Drag::kLook || std::any_of(std::begin(kFlightKeys), std::end(kFlightKeys),
+                                                          [&](int key) { return input.held(key); });
+  if (!flying) return cameras_.move(zoomed(cameras_.pose(), steps));
+  float& speed = state_.settings.speed;
+  speed = std::clamp(speed * std::pow(kSpeedPerStep, steps), kLeastSpeed, kMostSpeed);
+  messages_.say(fmt::format("Flying speed: {:.2f}", speed));
 }
 
-/// Moves eye and target; keeps them apart where the eye comes to.
-Pose shifted(const Pose& pose, const glm::vec3& offset, const glm::vec3& forward) {
-  const Pose result{pose.eye + offset, pose.look + offset};
-  const float least = leastDistance(result.eye);
-  if (glm::length(pose.look - pose.eye) >= least) return result;
-  return {result.eye, result.eye + least * forward};
-}
-
-}  // namespace
-
-Pose moved(const Pose& pose, const glm::vec3& step) {
-  const Frame frame = frameOf(pose);
-  const glm::vec3 offset = step.x * frame.right + step.y * glm::vec3(0.0F, 1.0F, 0.0F) + step.z * frame.forward;
-  return shifted(pose, offset, frame.forward);
-}
-
-Pose panned(const Pose& pose, float right, float up, float focalPixels) {
-  const Frame frame = frameOf(pose);
-  const float worldPerPixel = glm::length(pose.look - pose.eye) / focalPixels;
-  const glm::vec3 offset = -worldPerPixel * (right * frame.right + up * frame.up);
-  return shifted(pose, offset, frame.forward);
-}
-
-Pose zoomed(const Pose& pose, float steps) {
-  const glm::vec3 away = pose.eye - pose.look;
-  const float distance = glm::length(away);
-  const float least = std::min(leastDistance(pose.look), distance);
-  const float most = std::max(kMostDistance, distance);
-  const float wanted = std::clamp(distance * std::pow(kZoomPerStep, steps), least, most);
-  return {pose.look + wanted / distance * away, pose.look};
-}
-
-Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect) {
-  if (boxWorld.empty()) return pose;
-  const float radius = std::max({0.5F * boxWorld.diagonal(), 1e-4F, leastDistance(boxWorld.center())});
-  const float half = std::atan(std::tan(0.5F * fovY) * std::min(aspect, 1.0F));
-  const glm::vec3 direction = glm::normalize(pose.eye - pose.look);
-  return {boxWorld.center() + radius / std::sin(half) * direction, boxWorld.center()};
+void Navigation::fly(double seconds, const Input& input) {
+  if (documents_.current() == nullptr) return;
+  if (input.held(GLFW_KEY_LEFT_CONTROL) || input.held(GLFW_KEY_RIGHT_CONTROL)) return;
+  const auto axis = [&](int more, int less) {
+    return static_cast<float>(input.held(more)) - static_cast<float>(input.held(less));
+  };
+  const glm::vec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
+  if (direction == glm::vec3(0.0F)) return;
+  const float diagonal = std::max(documents_.current()->boundsWorld().diagonal(), 1e-3F);
+  const float distance = static_cast<float>(seconds) * kFlightShare * diagonal * state_.settings.speed;
+  cameras_.move(moved(cameras_.pose(), distance * direction));
 }
 
 }  // namespace jalousie::app

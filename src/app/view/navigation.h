@@ -1,41 +1,49 @@
-// How the viewer's camera moves: around a point, and through the scene.
+// How pointer and keys move the camera and the divider: drags, wheel, flying.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
-#include "core/aabb.h"
-#include "scene/camera.h"
+#include "app/view/cameras.h"
+#include "app/view/documents.h"
+#include "app/view/input.h"
+#include "app/view/interface.h"
+#include "app/view/messages.h"
+#include "app/view/view_state.h"
 
 namespace jalousie::app {
 
-/// Where the camera is and what it looks at, world units; +y is up. The same as --eye and --look.
-struct Pose {
-  glm::vec3 eye{0.0F, 0.0F, 4.0F};
-  glm::vec3 look{0.0F};
+/// Follows the pointer from event to event. The caller keeps events from it that belong to the interface.
+class Navigation {
+ public:
+  /// All arguments must outlive this. @param interface  its scale applies to distances of the pointer
+  Navigation(ViewState& state, Documents& documents, Cameras& cameras, Messages& messages, const Interface& interface);
+
+  /// A button went down: makes the document below the pointer current and begins a drag.
+  void press(const InputEvent& event);
+  /// A button went up: ends the drag. @return the pointer if it was a click with the left button
+  std::optional<glm::vec2> release(const InputEvent& event);
+  void moveTo(const glm::vec2& pointer);
+  void endDrag() { drag_ = Drag::kNone; }
+  /// Zooms, or changes the speed while flying. @param steps  of the wheel, positive away from the user
+  void wheel(float steps, const Input& input);
+  /// Flies while W A S D Q E are held. @param seconds  since the last call
+  void fly(double seconds, const Input& input);
+
+ private:
+  enum class Drag { kNone, kTurn, kPan, kLook, kDivider };
+  Drag dragFor(const InputEvent& event) const;
+  void dragCamera(const glm::vec2& pixels);
+
+  ViewState& state_;
+  Documents& documents_;
+  Cameras& cameras_;
+  Messages& messages_;
+  const Interface& interface_;
+  Drag drag_ = Drag::kNone;
+  glm::vec2 dragFrom_{0.0F};
+  glm::vec2 pointer_{0.0F};
+  bool dragged_ = false;  ///< the pointer moved too far for a click
 };
-
-/// Whether a camera can stand there: all finite, eye and target apart.
-bool isUsable(const Pose& pose);
-
-/// The pose of a camera, with its target at a distance. Loses a roll.
-Pose poseOf(const scene::Camera& camera, float distance);
-
-/// Distance from a camera at which a target makes sense: to the centre of the scene, at least a hundredth of it.
-float targetDistance(const scene::Camera& camera, const Aabb& sceneWorld);
-
-/// Turns around the target. @param yaw, pitch  radians; positive moves the eye right and up. Never over the poles.
-Pose orbited(const Pose& pose, float yaw, float pitch);
-/// Turns on the spot. @param yaw, pitch  radians; positive looks left and up
-Pose turned(const Pose& pose, float yaw, float pitch);
-/// Moves eye and target. @param step  right, up (world), forward; world units
-Pose moved(const Pose& pose, const glm::vec3& step);
-/// Moves eye and target in the plane of the picture, so that the target follows the pointer.
-/// @param right, up  pixels   @param focalPixels  of the camera
-Pose panned(const Pose& pose, float right, float up, float focalPixels);
-/// Comes nearer to the target by a factor per step of the wheel, never so near or far that eye and target are lost to
-/// rounding.
-Pose zoomed(const Pose& pose, float steps);
-/// Looks at a box from the same side, so that its bounding sphere fills the view. @param fovY  radians
-Pose framed(const Pose& pose, const Aabb& boxWorld, float fovY, float aspect);
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// The panel: one widget per row of the option table, then what only the viewer has.
+// The panel: one widget per row of the option table, then layout, camera and output.
 #include "app/view/panel.h"
 
 #include <fmt/format.h>
@@ -9,19 +9,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/view/drawing.h"
+#include "core/overloaded.h"
+
 namespace jalousie::app {
 namespace {
-
-/// visit with one callable per kind.
-template <class... Calls>
-struct Overloaded : Calls... {
-  using Calls::operator()...;
-};
 
 void tooltip(const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(28.0F * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(28.0F * unit());
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -30,7 +27,7 @@ void tooltip(const std::string& text) {
 bool editText(const char* label, std::filesystem::path& path) {
   std::array<char, 1024> text{};
   std::snprintf(text.data(), text.size(), "%s", path.c_str());
-  // Only with Enter: every letter would be another file.
+  // A value is taken on Enter only, because the text is no file name while it is typed.
   if (!ImGui::InputText(label, text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue)) return false;
   path = text.data();
   return true;
@@ -60,13 +57,20 @@ bool editNumber(const char* label, float& value, float least, float most) {
   return true;
 }
 
-/// A slider that no typed value gets out of its range.
-bool editSlider(const char* label, float& value, float least, float most, const char* format,
-                ImGuiSliderFlags flags = 0) {
+struct Slider {
+  float least, most;
+  const char* format;
+  ImGuiSliderFlags flags = 0;
+};
+
+/// A slider; typed values are clamped to its range too.
+bool editSlider(const char* label, float& value, const Slider& slider) {
   float edited = value;
-  if (!ImGui::SliderFloat(label, &edited, least, most, format, flags | ImGuiSliderFlags_AlwaysClamp)) return false;
+  if (!ImGui::SliderFloat(label, &edited, slider.least, slider.most, slider.format,
+                          slider.flags | ImGuiSliderFlags_AlwaysClamp))
+    return false;
   if (!std::isfinite(edited)) return false;
-  value = std::clamp(edited, least, most);
+  value = std::clamp(edited, slider.least, slider.most);
   return true;
 }
 
@@ -76,12 +80,13 @@ bool editCount(const char* label, std::uint32_t& value, std::uint32_t least, std
   return true;
 }
 
-/// A check box for "say it", and the value once it is said.
+/// A check box that tells whether there is a value, and the widget of the value if there is one.
+/// @param start  value when the box is checked
 template <class Value, class Edit>
 bool editMaybe(const char* label, std::optional<Value>& value, Value start, Edit edit) {
-  bool said = value.has_value();
-  const bool toggled = ImGui::Checkbox(fmt::format("##said{}", label).c_str(), &said);
-  if (toggled) value = said ? std::optional(start) : std::nullopt;
+  bool has = value.has_value();
+  const bool toggled = ImGui::Checkbox(fmt::format("##has{}", label).c_str(), &has);
+  if (toggled) value = has ? std::optional(start) : std::nullopt;
   ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x);
   if (value) return edit(*value) || toggled;
@@ -97,8 +102,11 @@ bool editValue(const RenderOption& option, RenderOptions& options) {
   return std::visit(
       Overloaded{
           [&](const ChoiceValue& v) {
-            return editChoice(label.c_str(), v.of(options), v.names,
-                              v.of(options).empty() || option.name == std::string("--lv"));
+            std::string name = v.get(options);
+            const bool changed =
+                editChoice(label.c_str(), name, v.names, name.empty() || option.name == std::string("--lv"));
+            if (changed) v.set(options, name);
+            return changed;
           },
           [&](const NumberValue& v) { return editNumber(label.c_str(), v.of(options), v.least, v.most); },
           [&](const MaybeNumberValue& v) {
@@ -116,31 +124,34 @@ bool editValue(const RenderOption& option, RenderOptions& options) {
       option.value);
 }
 
-void button(const char* label, Action action, PanelResult& result, const char* help) {
+void button(const char* label, Action action, PanelResult& result) {
   if (ImGui::Button(label)) result.actions.push_back(action);
-  tooltip(help);
+  tooltip(helpText(action));
+}
+
+/// All options of a configuration, by group.
+void drawOptions(Configuration& configuration, PanelResult& result) {
+  constexpr std::array kGroups = {std::pair(OptionGroup::kView, "View"), std::pair(OptionGroup::kCulling, "Culling"),
+                                  std::pair(OptionGroup::kDetail, "Detail"),
+                                  std::pair(OptionGroup::kDrawing, "Drawing")};
+  for (const auto& [group, title] : kGroups) {
+    const ImGuiTreeNodeFlags open = group == OptionGroup::kDrawing ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
+    if (!ImGui::CollapsingHeader(title, open)) continue;
+    for (const RenderOption& option : renderOptionTable())
+      if (option.group == group) result.configurationsChanged |= drawOption(option, configuration.wanted);
+  }
+  if (configuration.refusal.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 150, 90, 255));
+  ImGui::TextWrapped("%s. The picture shows the last valid options.", configuration.refusal.c_str());
+  ImGui::PopStyleColor();
 }
 
 void drawConfigurations(ViewState& state, PanelResult& result) {
   static constexpr std::array<const char*, Document::kSides> kNames = {"Configuration A", "Configuration B"};
   if (!ImGui::BeginTabBar("configurations")) return;
-  for (int side = 0; side < state.sides(); ++side) {
-    if (!ImGui::BeginTabItem(kNames[static_cast<std::size_t>(side)])) continue;
-    Configuration& configuration = state.configurations[static_cast<std::size_t>(side)];
-    constexpr std::array kGroups = {std::pair(OptionGroup::kView, "View"), std::pair(OptionGroup::kCulling, "Culling"),
-                                    std::pair(OptionGroup::kDetail, "Detail"),
-                                    std::pair(OptionGroup::kDrawing, "Drawing")};
-    for (const auto& [group, title] : kGroups) {
-      const ImGuiTreeNodeFlags open = group == OptionGroup::kDrawing ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
-      if (!ImGui::CollapsingHeader(title, open)) continue;
-      for (const RenderOption& option : renderOptionTable())
-        if (option.group == group) result.configurationsChanged |= drawOption(option, configuration.wanted);
-    }
-    if (!configuration.refusal.empty()) {
-      ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 150, 90, 255));
-      ImGui::TextWrapped("%s; the picture keeps the last options that worked.", configuration.refusal.c_str());
-      ImGui::PopStyleColor();
-    }
+  for (std::size_t side = 0; side < static_cast<std::size_t>(state.sides()); ++side) {
+    if (!ImGui::BeginTabItem(kNames[side])) continue;
+    drawOptions(state.configurations[side], result);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();
@@ -150,9 +161,9 @@ bool editPose(const char* eye, const char* look, std::optional<Pose>& pose) {
   if (!pose) return false;
   Pose edited = *pose;
   bool changed = ImGui::DragFloat3(eye, &edited.eye.x, 0.01F, 0.0F, 0.0F, "%.4g");
-  tooltip("Where the camera is; world units");
+  tooltip("Position of the camera, world units");
   changed |= ImGui::DragFloat3(look, &edited.look.x, 0.01F, 0.0F, 0.0F, "%.4g");
-  tooltip("Point the camera looks at; world units");
+  tooltip("Point that the camera looks at, world units");
   if (!changed || !isUsable(edited)) return false;
   pose = edited;
   return true;
@@ -166,51 +177,50 @@ void drawPathWidgets(ViewState& state, Document& document, PanelResult& result) 
     document.loadPath();
     result.camerasChanged = true;
   }
-  tooltip("glTF whose camera path is followed; empty: the scene's own. Press Enter.");
+  tooltip("glTF file whose camera path is used; empty: the path of the scene. Press Enter to apply.");
   if (document.pathFrames() > 0) {
     float frame = document.camera.frame.value_or(0.0F);
-    if (editSlider("frame##--frame", frame, 0.0F, static_cast<float>(document.pathFrames() - 1), "%.0f")) {
+    if (editSlider("frame##--frame", frame, {0.0F, static_cast<float>(document.pathFrames() - 1), "%.0f"})) {
       document.camera.frame = std::round(frame);
       document.camera.pose.reset();
       result.camerasChanged = true;
     }
-    tooltip("Frame of the camera path, 30 a second");
-    button(state.playing ? "Halt" : "Play", Action::kPlay, result, "Play the path over and over (Space)");
+    tooltip("Frame of the camera path, 30 per second");
+    button(state.playing ? "Pause" : "Play", Action::kPlay, result);
     ImGui::SameLine();
   }
-  button(state.recording ? "Stop recording" : "Record", Action::kRecord, result,
-         "Record the camera as a glTF camera animation, 30 poses a second (Ctrl+R)");
+  button(state.recording ? "Stop recording" : "Record", Action::kRecord, result);
 }
 
 void drawCamera(ViewState& state, Document* document, PanelResult& result) {
   if (document == nullptr || !ImGui::CollapsingHeader("Camera")) return;
   result.camerasChanged |= editPose("eye##--eye", "look##--look", document->camera.pose);
   drawPathWidgets(state, *document, result);
-  button(document->camera.frozen() ? "Let the culling camera go" : "Freeze the culling camera", Action::kFreeze, result,
-         "Culling and levels stay as this camera decides them; fly on to see what it left over (C)");
+  button(document->camera.frozen() ? "Unfreeze the culling camera" : "Freeze the culling camera", Action::kFreeze,
+         result);
   result.camerasChanged |=
       editPose("frozen eye##--freeze-eye", "frozen look##--freeze-look", document->camera.freezePose);
   if (document->camera.freezeFrame)
     ImGui::Text("frozen at frame %.0f", static_cast<double>(*document->camera.freezeFrame));
-  button("Reset", Action::kReset, result, "The camera of the start (R)");
+  button("Reset", Action::kReset, result);
   ImGui::SameLine();
-  button("Frame", Action::kFrame, result, "The selected object, or the whole scene, fills the view (F)");
-  editSlider("speed", state.settings.speed, kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic);
-  tooltip("Of flying; 1: a tenth of the scene's diagonal a second");
-  ImGui::Checkbox("move cameras of like scenes together", &state.linked);
-  tooltip("Files side by side whose scenes are of one size and in one place follow each other's camera");
+  button("Frame", Action::kFrame, result);
+  editSlider("speed", state.settings.speed, {kLeastSpeed, kMostSpeed, "%.2f", ImGuiSliderFlags_Logarithmic});
+  tooltip("Speed of flying; 1: 10 % of the scene's diagonal per second");
+  ImGui::Checkbox("link cameras of similar scenes", &state.linked);
+  tooltip("Files side by side share a camera if their scenes have a similar size and place");
 }
 
 void drawLayout(ViewState& state, PanelResult& result) {
   if (!ImGui::CollapsingHeader("Compare")) return;
   result.layoutChanged |= ImGui::Checkbox("split screen", &state.split);
-  tooltip("Configuration A left of the divider, B right of it; drag the divider (B)");
-  result.layoutChanged |= editSlider("divider", state.divider, 0.0F, 1.0F, "%.2f");
-  tooltip("Where the divider is, share of the width");
+  tooltip(helpText(Action::kSplit) + ". The divider can be dragged.");
+  result.layoutChanged |= editSlider("divider", state.divider, {0.0F, 1.0F, "%.2f"});
+  tooltip("Position of the divider, share of the width");
   result.layoutChanged |= ImGui::Checkbox("flicker", &state.flicker);
-  tooltip("A and B in turn over the whole picture: what differs jumps (X)");
-  result.layoutChanged |= editSlider("period", state.flickerSeconds, 0.1F, 3.0F, "%.1f s");
-  tooltip("How long each configuration is shown; seconds");
+  tooltip(helpText(Action::kFlicker) + ". Differences show as movement.");
+  result.layoutChanged |= editSlider("period", state.flickerSeconds, {0.1F, 3.0F, "%.1f s"});
+  tooltip("Time for which each configuration is shown, seconds");
 }
 
 void drawOutput(ViewState& state, const PanelFacts& facts, PanelResult& result) {
@@ -218,20 +228,19 @@ void drawOutput(ViewState& state, const PanelFacts& facts, PanelResult& result) 
   std::array<int, 2> size = {static_cast<int>(facts.width), static_cast<int>(facts.height)};
   if (ImGui::InputInt2("size##--size", size.data(), ImGuiInputTextFlags_EnterReturnsTrue))
     result.resize = glm::uvec2(std::clamp(size[0], 16, 16384), std::clamp(size[1], 16, 16384));
-  tooltip("Of the window and the picture; pixels. Press Enter.");
+  tooltip("Size of the window and the picture, pixels. Press Enter to apply.");
   RenderOptions& first = state.configurations[0].wanted;
   result.configurationsChanged |= editText("figures##--json", first.json);
-  tooltip("File for the figures of the last seconds as JSON. Press Enter.");
+  tooltip("JSON file that the button Figures writes; empty: a new file in the folder below. Press Enter to apply.");
   editText("folder##-o", state.outputs);
-  tooltip("Folder for screenshots and recorded paths; empty: the current one. Press Enter.");
-  button("Screenshot", Action::kScreenshot, result, "The picture alone, as jalousie render writes it (F12)");
+  tooltip("Folder of screenshots, figures and recorded paths; empty: the current folder. Press Enter to apply.");
+  button("Screenshot", Action::kScreenshot, result);
   ImGui::SameLine();
-  button("with interface", Action::kScreenshotInterface, result, "The window as it is (Shift+F12)");
+  button("with interface", Action::kScreenshotInterface, result);
   ImGui::SameLine();
-  if (ImGui::Button("Figures")) result.saveJson = true;
-  tooltip("Write the figures of the last seconds as JSON");
-  button("Copy command line", Action::kCopyCommand, result,
-         "The jalousie render command that gives this picture (Ctrl+C)");
+  if (ImGui::Button("Figures")) result.saveFigures = true;
+  tooltip("Write the figures of the last 10 s as JSON");
+  button("Copy command line", Action::kCopyCommand, result);
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", facts.command.c_str());
   ImGui::PopTextWrapPos();
@@ -239,12 +248,16 @@ void drawOutput(ViewState& state, const PanelFacts& facts, PanelResult& result) 
 
 void drawDocuments(ViewState& state, const PanelFacts& facts) {
   if (facts.documents.size() < 2) {
-    ImGui::TextUnformatted(facts.documents.empty() ? "No file: drop one here" : facts.documents.front());
+    ImGui::TextUnformatted(facts.documents.empty() ? "No file: drop one here" : facts.documents.front().c_str());
     return;
   }
-  auto current = static_cast<int>(state.current);
-  if (ImGui::Combo("file", &current, facts.documents.data(), static_cast<int>(facts.documents.size())))
-    state.current = static_cast<std::size_t>(current);
+  if (!ImGui::BeginCombo("file", facts.documents[state.current].c_str())) return;
+  for (std::size_t i = 0; i < facts.documents.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));  // two files may have the same name
+    if (ImGui::Selectable(facts.documents[i].c_str(), i == state.current)) state.current = i;
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
 }
 
 }  // namespace
@@ -264,12 +277,11 @@ bool drawOption(const RenderOption& option, RenderOptions& options) {
 }
 
 void drawPanel(ViewState& state, Document* document, const PanelFacts& facts, PanelResult& result) {
-  const float unit = ImGui::GetFontSize();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.6F * unit, 0.6F * unit}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({23.0F * unit, display.y - 1.2F * unit}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({0.6F * unit(), 0.6F * unit()}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({23.0F * unit(), display.y - 1.2F * unit()}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("jalousie", &state.settings.panel)) {
-    ImGui::PushItemWidth(11.5F * unit);
+    ImGui::PushItemWidth(11.5F * unit());
     drawDocuments(state, facts);
     drawConfigurations(state, result);
     drawLayout(state, result);

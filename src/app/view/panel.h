@@ -1,6 +1,8 @@
-// The windows of the interface: options, inspection, frame graph, help.
+// The panel: every option of the picture, and the tools of the viewer.
 #pragma once
 
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,38 +12,31 @@
 
 namespace jalousie::app {
 
-/// What a frame of the interface asks for beside the state it changed itself.
+/// What the user asked for in this frame of the panel, beside the state that the panel changed itself.
 struct PanelResult {
-  bool configurationsChanged = false;  ///< some wanted configuration is another one
-  bool camerasChanged = false;         ///< a document's cameras were set by hand
-  bool layoutChanged = false;          ///< divider, flicker, split
-  std::vector<Action> actions;         ///< buttons
-  std::optional<glm::uvec2> resize;    ///< window size in pixels
-  bool saveJson = false;
+  bool configurationsChanged = false;  ///< Configuration::wanted of some configuration changed
+  bool camerasChanged = false;         ///< cameras of the document changed
+  bool layoutChanged = false;          ///< divider, flicker or split changed
+  std::vector<Action> actions;         ///< buttons that were pressed
+  std::optional<glm::uvec2> resize;    ///< new window size in pixels
+  bool saveFigures = false;            ///< write the history of frames
 };
 
-/// Facts the panel shows and cannot find in the state.
+/// What the panel shows and the state does not hold.
 struct PanelFacts {
-  std::string renderer;
-  std::string command;  ///< of the current picture
+  std::string renderer;  ///< name that OpenGL gives
+  std::string command;   ///< `jalousie render` command of the current picture
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::vector<const char*> documents;  ///< names
+  std::vector<std::string> documents;  ///< names of the files
 };
 
-/// All options of `jalousie render`, with their units and effects as tooltips.
+/// Draws all options of `jalousie render`, with units and effects as tooltips, and the viewer's own widgets.
+/// @param document  the current one; null if none is open
 void drawPanel(ViewState& state, Document* document, const PanelFacts& facts, PanelResult& result);
 
-/// One option of the table; greyed out with the reason where it does not apply. @return whether it changed
+/// Draws one option of the table; disabled, with the reason in the tooltip, where it does not apply.
+/// @return whether its value changed
 bool drawOption(const RenderOption& option, RenderOptions& options);
-
-/// The selected object: where it is, what hides it, its spectrum, its levels and why one was chosen.
-void drawInspection(const Inspection& inspection, const RenderOptions& options);
-
-/// Time per pass, triangles, drawn and culled over the last seconds.
-void drawFrameGraph(const FrameHistory& history);
-
-/// Keys and pointer.
-void drawHelp(bool* open);
 
 }  // namespace jalousie::app

@@ -1,4 +1,4 @@
-// One JSON file.
+// Settings of the interface as a JSON file.
 #include "app/view/settings.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::optional<Pose> poseFrom(const nlohmann::json& json) {
   return isUsable(pose) ? std::optional(pose) : std::nullopt;
 }
 
-/// Takes a member if it is there and of its type.
+/// Reads a member if it exists and has the right type.
 template <class Value>
 void take(const nlohmann::json& root, const char* name, Value& value) {
   try {
@@ -36,7 +36,7 @@ void take(const nlohmann::json& root, const char* name, Value& value) {
   }
 }
 
-/// Side of the window: a sensible one or the usual one.
+/// Reads a side of the window if it is in [64, 16384].
 void takeSide(const nlohmann::json& root, const char* name, std::uint32_t& side) {
   std::int64_t value = side;
   take(root, name, value);
@@ -88,6 +88,12 @@ ViewSettings loadSettings(const std::filesystem::path& folder) noexcept {
   } catch (const std::exception&) {
     return {};
   }
+}
+
+void mergeBookmarks(ViewSettings& settings, const ViewSettings& others) {
+  for (const auto& [file, marks] : others.bookmarks)
+    for (std::size_t i = 0; i < kBookmarks; ++i)
+      if (std::optional<Pose>& mark = settings.bookmarks[file][i]; !mark) mark = marks[i];
 }
 
 void saveSettings(const ViewSettings& settings, const std::filesystem::path& folder) {

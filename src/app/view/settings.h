@@ -1,4 +1,5 @@
-// What the viewer remembers between runs: of the interface only, so that a picture depends on the command line alone.
+// Settings of the interface that are kept between runs. Options of the picture are not kept, so that a picture depends
+// on the command line alone.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/view/navigation.h"
+#include "app/view/pose.h"
 
 namespace jalousie::app {
 
@@ -21,20 +22,23 @@ inline constexpr float kMostSpeed = 100.0F;
 struct ViewSettings {
   bool panel = true;
   bool graph = false;
-  float speed = 1.0F;          ///< of flying; 1: a tenth of the scene's diagonal a second
+  float speed = 1.0F;          ///< of flying; 1: 10 % of the scene's diagonal per second
   std::uint32_t width = 1280;  ///< of the window, screen coordinates
   std::uint32_t height = 720;
-  std::string layout;                          ///< the interface library's own text
+  std::string layout;                          ///< Interface::layout()
   std::map<std::string, Bookmarks> bookmarks;  ///< by absolute path of the file
 };
 
-/// $XDG_CONFIG_HOME/jalousie, else ~/.config/jalousie; empty if there is no home.
+/// $XDG_CONFIG_HOME/jalousie, else ~/.config/jalousie; empty if neither variable is set.
 std::filesystem::path settingsFolder();
 
-/// What is missing or broken there has its default. Never throws.
+/// Reads view.json of a folder. Untrusted input: entries that are missing or invalid get their defaults.
 ViewSettings loadSettings(const std::filesystem::path& folder) noexcept;
 
-/// Makes the folder. Errors: kWriteFailed.
+/// Adds bookmarks of other settings where there are none.
+void mergeBookmarks(ViewSettings& settings, const ViewSettings& others);
+
+/// Writes the settings; creates the folder. Errors: kWriteFailed.
 void saveSettings(const ViewSettings& settings, const std::filesystem::path& folder);
 
 }  // namespace jalousie::app

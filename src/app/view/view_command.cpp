@@ -1,4 +1,4 @@
-// Window, viewer, loop.
+// `jalousie view`: opens the window and runs the viewer.
 #include "app/view/view_command.h"
 
 #include "app/gl_debug.h"

@@ -5,9 +5,9 @@
 
 namespace jalousie::app {
 
-/// Runs until the window is closed. @param options  finished
-/// Errors: kNoGpu without a display, naming the headless command; kWriteFailed; kInternal with --debug if
-/// OpenGL reported a message.
+/// Runs the viewer until its window is closed. @param options  finished
+/// Errors: as Viewer::finish(); kNoGpu without a display, with a message that names the headless command; kInternal with
+/// --debug after an OpenGL message of medium or high severity.
 void runView(const ViewOptions& options);
 
 }  // namespace jalousie::app

@@ -18,33 +18,43 @@ bool isScene(const std::filesystem::path& file) {
 }
 
 void addWindowOptions(CLI::App& command, ViewOptions& o) {
-  command.add_option("--split", o.split, "Options of a second configuration, shown right of a divider")
+  command.add_option("--split", o.split, "Show a second configuration with these options right of a divider")
       ->type_name("OPTIONS");
-  command.add_option("--divider", o.divider, "Where the divider is, share of the width")
+  command.add_option("--divider", o.divider, "Position of the divider, share of the width")
       ->check(inRange(0.0, 1.0).description(""))
       ->type_name("0..1")
       ->capture_default_str();
-  command.add_option("--select", o.select, "Inspect this object, counted in the file's order")->type_name("OBJECT");
+  command.add_option("--select", o.select, "Inspect an object; OBJECT is its index in the file")->type_name("OBJECT");
   command.add_flag("--play", o.play, "Play the camera path");
-  command.add_flag("--watch", o.watch, "Read a file again whenever it changes");
-  command.add_option("--scale", o.scale, "Size of the interface; 0: as the display says")
+  command.add_flag("--watch", o.watch, "Read files again when they, or buffers and images that they name, change");
+  command.add_option("--scale", o.scale, "Scale of the interface; 0: scale of the display")
       ->check(inRange(0.0, 8.0).description(""))
       ->type_name("0..8")
       ->capture_default_str();
-  command.add_option("--outputs", o.outputs, "Folder for screenshots and recorded paths [current]")
+  command
+      .add_option("--outputs", o.outputs,
+                  "Write screenshots, figures and recorded paths to this folder [current folder]")
       ->type_name("FOLDER");
-  command.add_option("--shaders", o.shaders, "Folder to read shaders from; they are built anew when one changes")
+  command
+      .add_option("--shaders", o.shaders, "Read shaders from this folder and rebuild them when one changes [built in]")
       ->type_name("FOLDER");
 }
 
 void addScriptOptions(CLI::App& command, ViewOptions& o) {
-  command.add_option("--screenshot", o.screenshot, "Write a picture at the end; alone it means --frames 1")
+  command
+      .add_option("--screenshot", o.screenshot,
+                  "Write the picture after the last frame; without --frames, this is the first")
       ->type_name("OUT.png");
-  command.add_option("--frames", o.frames, "Leave after N frames; --play then goes one frame of the path at a time")
+  command
+      .add_option("--frames", o.frames,
+                  "Exit after N frames (1..1000000); with --play, each shows the next frame of the path")
       ->check(inRange(1, 1000000).description(""))
       ->type_name("N");
-  command.add_flag("--interface", o.withInterface, "The screenshot shows the interface too");
-  command.add_option("--json", o.render.json, "Write the figures of the last frames at the end")->type_name("STATS");
+  command.add_flag("--interface", o.withInterface, "Include the interface in the screenshot");
+  command
+      .add_option("--json", o.render.json,
+                  "Write times and counts of the last 10 s as JSON at the end; -: standard output")
+      ->type_name("STATS");
   addDebugOption(command, o.debug);
 }
 
@@ -55,7 +65,7 @@ void ViewOptions::finish() {
   if (!screenshot.empty() && !frames) frames = 1;
   json = render.json;
 #ifdef JALOUSIE_SHADER_FOLDER
-  // Development builds read the shaders of their source tree; scripts do not.
+  // Development builds read the shaders from the source tree, except in scripts.
   if (shaders.empty() && !frames) shaders = JALOUSIE_SHADER_FOLDER;
 #endif
   RenderOptions check = render;
@@ -64,7 +74,8 @@ void ViewOptions::finish() {
 }
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
-  command.add_option("files", options.files, "glTF or GLB files, or folders of them; several stand side by side")
+  command
+      .add_option("files", options.files, "glTF or GLB files, or folders of them; at most 8 files, shown side by side")
       ->type_name("FILE");
   addCameraOptions(command, options.render);
   command.get_option("--size")->each([&options](const std::string&) { options.sizeGiven = true; });
@@ -74,14 +85,15 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   addScriptOptions(command, options);
   command.footer(R"(Examples:
   jalousie view scene.glb
-      drag turns, wheel zooms, right drag and WASD fly, click inspects, F1 lists the keys
+      drag to turn, wheel to zoom, right drag to look around, W A S D to fly, click to inspect, F1 for all keys
   jalousie view scene.glb --view lod --split "--mode hom --lod linear --view lod"
-      the default beside the thesis' pipeline
+      the default beside the pipeline of the thesis
   jalousie view before.glb after.glb --watch
-      two bakes side by side, read again whenever they change
+      two bakes side by side, read again when they change
   jalousie view scene.glb --path walk.glb --play
+      play the camera path of another file
   jalousie view scene.glb --eye 0,2,9 --look 0,0,0 --screenshot view.png --frames 3
-      what jalousie render writes for the same options
+      write the picture that jalousie render writes for the same options
 )");
 }
 

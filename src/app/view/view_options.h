@@ -1,4 +1,4 @@
-// Options of `jalousie view`: those of a picture, and what only a window has.
+// Options of `jalousie view`: those of a picture, and those of the window.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +17,35 @@ namespace jalousie::app {
 
 struct ViewOptions {
   std::vector<std::filesystem::path> files;  ///< files and folders; may be empty
-  RenderOptions render;                      ///< the state at the start; its size is the window's
-  std::optional<std::string> split;          ///< options of the right half
-  float divider = 0.5F;                      ///< its left edge, share of the width
+  RenderOptions render;                      ///< options of the picture at the start; its size is that of the window
+  std::optional<std::string> split;          ///< options of configuration B; absent: no split screen
+  float divider = 0.5F;                      ///< left edge of configuration B, share of the width
   std::filesystem::path screenshot;          ///< empty: none
-  std::optional<std::uint32_t> frames;       ///< leave after so many; absent: when the window is closed
-  bool withInterface = false;                ///< in the screenshot
-  std::filesystem::path json;                ///< figures of the last frames; empty: none
-  std::optional<std::uint32_t> select;       ///< object to inspect, in the file's order
+  std::optional<std::uint32_t> frames;       ///< number of frames of a script; absent: runs until the window is closed
+  bool withInterface = false;                ///< the screenshot shows the interface
+  std::filesystem::path json;                ///< file for the statistics of the last frames; empty: none
+  std::optional<std::uint32_t> select;       ///< instance to inspect, index in the file
   bool watch = false;
   bool play = false;
-  std::filesystem::path shaders;  ///< folder to read shaders from; empty: the embedded ones
-  std::filesystem::path outputs;  ///< folder of screenshots and paths; empty: the current one
-  float scale = 0.0F;             ///< of the interface; 0: the display's
-  bool debug = false;             ///< an OpenGL debug context, whose messages become the exit code
+  std::filesystem::path shaders;  ///< folder of the shaders; empty: those built into the program
+  std::filesystem::path outputs;  ///< folder of screenshots and paths; empty: the current folder
+  float scale = 0.0F;             ///< of the interface; 0: that of the display
+  bool debug = false;             ///< debug context; its warnings and errors make the program fail
 
-  bool sizeGiven = false;  ///< --size was said; else the window is as large as it was last
+  bool sizeGiven = false;  ///< --size was given; otherwise the window has its last size
 
-  /// Refuses contradictions. Errors: kUsage.
+  /// Fills in dependent values and refuses contradictions. Errors: kUsage.
   void finish();
 };
 
 /// Declares the options on a subcommand; values land in options, which must outlive the parse.
 void addViewOptions(CLI::App& command, ViewOptions& options);
 
-/// The options of a second configuration, as --split takes them. Errors: kUsage.
+/// Parses the value of --split. Errors: kUsage.
 RenderOptions viewOptionsOf(const std::string& text);
 
-/// The files that arguments name: a folder stands for the glTF and GLB files in it, in order of their names.
-/// A folder without any stands for itself, and fails where it is opened.
+/// Replaces each folder by the glTF and GLB files in it, sorted by name. A folder without such files stays, so that
+/// opening it fails with a message.
 std::vector<std::filesystem::path> expandFolders(const std::vector<std::filesystem::path>& arguments);
 
 }  // namespace jalousie::app

@@ -1,348 +1,249 @@
-// The frame of the window: layout, scenes, overlays, interface.
+// One step of the viewer: events, scenes, interface; and what is written at the end.
 #include "app/view/viewer.h"
 
 #include <epoxy/gl.h>
-// epoxy must come before GLFW, which otherwise brings the system's own OpenGL header.
+// epoxy must come before GLFW, which otherwise includes the system's OpenGL header.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
-#include "app/configurations.h"
-#include "app/option_values.h"
-#include "app/view/command_text.h"
+#include "app/view/action_table.h"
+#include "app/view/clock.h"
+#include "app/view/frame_graph.h"
+#include "app/view/help_window.h"
+#include "app/view/inspection_window.h"
+#include "app/view/overlay.h"
+#include "app/view/picture_overlays.h"
+#include "asset/image_io.h"
 #include "core/error.h"
 
 namespace jalousie::app {
 namespace {
 
-/// Until two phases have settled and pixels are counted; and, with calm, until LV has come to rest: four seconds of a
-/// moving picture (docs/lod_selection.md).
-constexpr std::uint32_t kSettleFrames = 8;
-constexpr std::uint32_t kCalmFrames = 128;
 constexpr double kMessageSeconds = 6.0;
 constexpr double kIdleSeconds = 0.1;
+constexpr double kFlickerIdleSeconds = 0.02;
+/// Longest time that counts as one step, so that a slow frame does not throw the camera far away.
+constexpr double kMostStepSeconds = 0.25;
 
-ViewState startState(const ViewOptions& options) {
-  ViewState state;
-  if (!options.frames) state.settings = loadSettings(settingsFolder());  // a script depends on its options alone
-  state.outputs = options.outputs;
-  state.divider = options.divider;
-  state.playing = options.play;
-  state.split = options.split.has_value();
-  for (Configuration& configuration : state.configurations)
-    configuration.wanted = options.render;
-  if (options.split) state.configurations[1].wanted = viewOptionsOf(*options.split);
-  for (Configuration& configuration : state.configurations)
-    configuration.update();
-  return state;
+/// Modifiers of an event without locks.
+int plainMods(int mods) {
+  return mods & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
 }
 
 }  // namespace
 
 Viewer::Viewer(platform::Window& window, const ViewOptions& options)
-    : window_(window),
-      options_(options),
-      state_(startState(options)),
-      input_(window.handle()),
-      interface_(window.handle(), options.scale, state_.settings.layout),
-      shaders_(options.shaders),
-      shaderWatch_(options.shaders, /*recursive=*/true),
-      settingsFolder_(settingsFolder()) {
-  pathStart_ = pathSeconds_ =
-      static_cast<double>(options.render.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
-  for (const std::filesystem::path& file : expandFolders(options.files))
-    open(file);
-  state_.current = 0;
-  if (options.frames)  // a script wants the scene, not the wait
-    while (loading())
-      loadNext();
-  lastStep_ = now();
-}
-
-Viewer::~Viewer() = default;
-
-double Viewer::now() const {
-  return glfwGetTime();
+    : options_(options), parts_(window, options_), select_(options.select) {
+  while (isScript() && parts_.documents.loading())  // a script gets no frames without its scenes
+    loadNext();
+  lastStep_ = secondsNow();
 }
 
 bool Viewer::done() const {
-  return quit_ || window_.shouldClose() || (options_.frames && framesDone_ >= *options_.frames);
+  return parts_.window.shouldClose() || (isScript() && framesDone_ >= *options_.frames);
 }
 
-void Viewer::touch() {
-  if (state_.sides() == 1) {
-    if (state_.selection) state_.selection->side = 0;
-    for (const auto& document : documents_)
-      document->forgetFailure(1);
-  }
-  dirtyFrames_ = kSettleFrames;
-  for (const Configuration& configuration : state_.configurations)
-    if (configuration.active.frameOptions.calm) dirtyFrames_ = kCalmFrames;
-  wakeFrames_ = 3;
-  inspectSoon_ = state_.selection.has_value();
+bool Viewer::idle() const {
+  return !parts_.redraw.needsScenes() && !parts_.redraw.needsInspection() && !parts_.state.playing &&
+         !parts_.state.recording && !parts_.documents.loading();
 }
 
 void Viewer::step() {
-  const bool waits = idle() && wakeFrames_ == 0 && !options_.frames;
-  waits ? glfwWaitEventsTimeout(state_.flicker ? 0.02 : kIdleSeconds) : glfwPollEvents();
-  window_.framebufferSize(width_, height_);
-  const double seconds = std::min(now() - lastStep_, 0.25);
-  lastStep_ = now();
-  watchFiles();
-  if (width_ == 0 || height_ == 0) {  // minimised: nothing to draw into
-    input_.take();
-    drag_ = Drag::kNone;
+  const bool waits = idle() && !parts_.redraw.needsInterface() && !isScript();
+  waits ? glfwWaitEventsTimeout(parts_.state.flicker ? kFlickerIdleSeconds : kIdleSeconds) : glfwPollEvents();
+  parts_.window.framebufferSize(width_, height_);
+  const double seconds = std::min(secondsNow() - lastStep_, kMostStepSeconds);
+  lastStep_ = secondsNow();
+  parts_.documents.watch();
+  if (width_ == 0 || height_ == 0) {  // minimised: there is nothing to draw into
+    parts_.input.take();
+    parts_.navigation.endDrag();
     glfwWaitEventsTimeout(kIdleSeconds);
     ++framesDone_;
     return;
   }
-  layOut();
-  interface_.begin();
+  parts_.pictures.resize(width_, height_);
+  parts_.interface.begin();
   handleEvents();
-  flyByKeys(seconds);
-  playPath(seconds);
-  if (wakeFrames_ > 0) --wakeFrames_;
+  if (!parts_.interface.wantsKeys()) parts_.navigation.fly(seconds, parts_.input);
+  parts_.pictures.flicker();
+  parts_.player.step(seconds, framesDone_);
+  parts_.redraw.interfaceFrameDone();
   renderScenes();
-  compose();
+  parts_.pictures.compose();
   drawInterface();
-  canvas_.show();
-  glfwSwapBuffers(window_.handle());
+  parts_.pictures.canvas().show();
+  glfwSwapBuffers(parts_.window.handle());
   showTitle();
-  if (screenshotSoon_) screenshot(/*withInterface=*/true);
-  recordPose();
+  parts_.outputs.windowDrawn();
+  parts_.recorder.step();
   ++framesDone_;
-  if (loading()) loadNext();  // the window has said so
+  if (parts_.documents.loading()) loadNext();  // after a frame that shows the notice
 }
 
-void Viewer::showTitle() {
-  const Document* document = current();
-  const std::string title = document == nullptr ? "jalousie" : "jalousie - " + document->file().filename().string();
-  if (title == title_) return;
-  title_ = title;
-  glfwSetWindowTitle(window_.handle(), title.c_str());
-}
-
-void Viewer::layOut() {
-  if (canvas_.width() == width_ && canvas_.height() == height_) return;
-  canvas_.resize(width_, height_);
-  touch();
-}
-
-Region Viewer::region(std::size_t document) const {
-  const std::size_t count = std::max<std::size_t>(documents_.size(), 1);
-  const std::size_t from = width_ * document / count;
-  const std::size_t to = width_ * (document + 1) / count;
-  return {static_cast<float>(from), 0.0F, static_cast<float>(to - from), static_cast<float>(height_)};
-}
-
-RenderOptions Viewer::optionsFor(std::size_t document, int side) const {
-  RenderOptions options = state_.configurations[static_cast<std::size_t>(side)].active;
-  documents_[document]->camera.applyTo(options);
-  options.scene = documents_[document]->file();
-  options.width = std::max(static_cast<std::uint32_t>(region(document).width), 1U);
-  options.height = std::max(height_, 1U);
-  options.repeat = 1;
-  options.rendererOptions.shaders = &shaders_;
-  return options;
-}
-
-std::optional<RenderCameras> Viewer::camerasFor(std::size_t document, int side) {
-  Side* shown = documents_[document]->side(side);
-  if (shown == nullptr) return std::nullopt;
-  try {
-    return renderCameras(optionsFor(document, side), shown->scene(), documents_[document]->path());
-  } catch (const Error& error) {
-    if (state_.message != error.what()) say(error.what());
-    return std::nullopt;
+void Viewer::handleEvents() {
+  for (const InputEvent& event : parts_.input.take()) {
+    parts_.redraw.interfaceChanged();
+    handleEvent(event);
   }
 }
 
-std::string Viewer::command(int side, const std::string& output, bool absolute) const {
-  if (state_.current >= documents_.size()) return {};
-  RenderOptions options = optionsFor(state_.current, side);
-  const Configuration& configuration = state_.configurations[static_cast<std::size_t>(side)];
-  if (configuration.refusal.empty()) options.lv = configuration.wanted.lv;  // automatic stays unsaid
-  for (std::filesystem::path* path : {&options.scene, &options.path, &options.importance}) {
-    std::error_code failed;
-    if (absolute && !path->empty()) *path = std::filesystem::absolute(*path, failed);
+void Viewer::handleEvent(const InputEvent& event) {
+  const bool forInterface = parts_.interface.wantsPointer();
+  switch (event.kind) {
+    case InputEvent::Kind::kKey:
+      return handleKey(event);
+    case InputEvent::Kind::kButton:
+      if (event.pressed && !forInterface) parts_.navigation.press(event);
+      if (event.pressed) return;
+      if (const auto click = parts_.navigation.release(event)) parts_.selection.pick(*click);
+      return;
+    case InputEvent::Kind::kMove:
+      return parts_.navigation.moveTo(event.at);
+    case InputEvent::Kind::kWheel:
+      if (!forInterface) parts_.navigation.wheel(event.at.y, parts_.input);
+      return;
+    case InputEvent::Kind::kFocusLost:
+      return parts_.navigation.endDrag();
+    case InputEvent::Kind::kDrop:
+      return parts_.documents.open(event.files);
   }
-  return renderCommand(options, output);
+}
+
+void Viewer::handleKey(const InputEvent& event) {
+  if (!event.pressed || parts_.interface.wantsKeys()) return;
+  const int mods = plainMods(event.mods);
+  for (const Binding& binding : bindings())
+    if (binding.key == event.code && binding.mods == mods) return perform(binding.action, parts_);
+  if (event.code < GLFW_KEY_1 || event.code > GLFW_KEY_9) return;
+  const auto bookmark = static_cast<std::size_t>(event.code - GLFW_KEY_1);
+  if (mods == 0) parts_.cameras.goToBookmark(bookmark);
+  if (mods == GLFW_MOD_CONTROL && parts_.cameras.setBookmark(bookmark))
+    parts_.messages.attempt([&] { keepSettings(); });
 }
 
 void Viewer::renderScenes() {
-  if (dirtyFrames_ == 0 && !state_.playing && !state_.recording && !options_.frames) {
-    if (inspectSoon_) inspect();
+  parts_.selection.leaveHiddenSide();
+  const bool moves = parts_.state.playing || parts_.state.recording || isScript();
+  if (!parts_.redraw.needsScenes() && !moves) {
+    if (parts_.redraw.needsInspection()) parts_.selection.inspect();
     return;
   }
-  for (std::size_t i = 0; i < documents_.size(); ++i)
-    renderDocument(i);
-  if (dirtyFrames_ > 0) --dirtyFrames_;
-  const bool last = options_.frames && framesDone_ + 1 >= *options_.frames;
-  if (inspectSoon_ && (last || (dirtyFrames_ == 0 && !state_.playing))) inspect();
-}
-
-void Viewer::renderDocument(std::size_t index) {
-  Document& document = *documents_[index];
-  for (int side = 0; side < state_.sides(); ++side) {
-    const RenderOptions options = optionsFor(index, side);
-    Side* scene = document.prepare(side, options);
-    if (scene == nullptr) continue;
-    render::FrameRenderer& renderer = scene->renderer();
-    renderer.setTiming(window_.capabilities().softwareRenderer ? Timing::kWall : Timing::kGpu);
-    const std::optional<RenderCameras> cameras = camerasFor(index, side);
-    if (!cameras) continue;
-    renderer.render(options.frameOptions, cameras->cull, cameras->draw);
-    if (index != state_.current || side != 0) continue;
-    if (charted_ != &document) state_.history.clear();
-    charted_ = &document;
-    if (const auto statistics = renderer.latestStatistics())
-      state_.history.add(makeSample(now(), renderer.passTimes(), *statistics));
-  }
-}
-
-void Viewer::compose() {
-  canvas_.clear();
-  for (std::size_t i = 0; i < documents_.size(); ++i) {
-    const Region where = region(i);
-    const auto left = static_cast<std::uint32_t>(where.x);
-    const auto width = static_cast<std::uint32_t>(where.width);
-    const bool flickersToB = state_.flicker && state_.flickerSide == 1;
-    Side* a = documents_[i]->side(flickersToB ? 1 : 0);
-    Side* b = state_.split && !state_.flicker ? documents_[i]->side(1) : nullptr;
-    const std::uint32_t divider =
-        b != nullptr ? static_cast<std::uint32_t>(std::lround(state_.divider * static_cast<float>(width))) : width;
-    const auto fits = [&](Side* side) {
-      return side != nullptr && side->renderer().width() == width && side->renderer().height() == height_;
-    };
-    if (fits(a)) canvas_.copy(a->renderer().color(), 0, left, divider);
-    if (fits(b)) canvas_.copy(b->renderer().color(), divider, left + divider, width - divider);
-  }
-}
-
-void Viewer::inspect() {
-  inspectSoon_ = false;
-  state_.inspection.reset();
-  if (!state_.selection || state_.selection->document >= documents_.size()) return;
-  const Selection& s = *state_.selection;
-  Side* side = documents_[s.document]->side(s.side);
-  if (side == nullptr || s.object >= side->scene().objects.size()) return;
-  const RenderOptions options = optionsFor(s.document, s.side);
-  const std::optional<RenderCameras> cameras = camerasFor(s.document, s.side);
-  if (!cameras) return;
-  state_.inspection = inspectObject(s.object, side->scene(), side->renderer(), options.frameOptions);
-  side->renderer().render(options.frameOptions, cameras->cull, cameras->draw);
-  wakeFrames_ = 3;
-}
-
-ImageRgba8 Viewer::capture() {
-  if (canvas_.width() == 0) throw Error(ErrorCode::kUsage, "the window has no size, so there is no picture");
-  for (std::size_t i = 0; i < documents_.size(); ++i) {
-    for (int side = 0; side < state_.sides(); ++side) {
-      const RenderOptions options = optionsFor(i, side);
-      Side* scene = documents_[i]->prepare(side, options);
-      if (scene == nullptr) continue;
-      captureFrame(options, scene->renderer(), window_.capabilities(),
-                   renderCameras(options, scene->scene(), documents_[i]->path()));
-    }
-  }
-  compose();
-  return canvas_.read();
-}
-
-void Viewer::drawOverlays(std::size_t index) {
-  Document& document = *documents_[index];
-  const Region where = region(index);
-  if (documents_.size() > 1) drawFileName(where, document.file().filename().string(), index == state_.current);
-  if (!document.wasLoaded()) return drawNotice(where, document.file().filename().string(), "reading ...");
-  if (!document.error().empty()) {
-    drawNotice(where, document.file().filename().string(), document.error());
-    if (document.side(0) == nullptr) return;
-  }
-  const RenderOptions options = optionsFor(index, state_.flicker ? state_.flickerSide : 0);
-  Side* side = document.side(0);
-  if (side == nullptr) return;
-  const std::optional<RenderCameras> cameras = camerasFor(index, 0);
-  if (!cameras) return;
-  if (document.camera.frozen())
-    drawFrustum(where, cameras->cull, cameras->draw,
-                glm::length(cameras->cull.positionWorld() - document.boundsWorld().center()) +
-                    0.5F * document.boundsWorld().diagonal());
-  if (state_.inspection && state_.selection && state_.selection->document == index && !state_.playing)
-    drawSelection(where, *state_.inspection, cameras->draw, document.camera.frozen());
-  Region left = where;
-  if (state_.split && !state_.flicker) left.width = std::round(state_.divider * where.width);
-  drawLegend(left, options);
-  if (!state_.split || state_.flicker) return;
-  Region right = where;
-  right.x += std::round(state_.divider * where.width);
-  right.width -= std::round(state_.divider * where.width);
-  drawLegend(right, optionsFor(index, 1));
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddLine({right.x, 0.0F}, {right.x, where.height}, IM_COL32(255, 255, 255, 220), 2.0F * interface_.scale());
-  list.AddCircleFilled({right.x, 0.5F * where.height}, 7.0F * interface_.scale(), IM_COL32(255, 255, 255, 220));
-  const float unit = ImGui::GetFontSize();
-  list.AddText({right.x - 1.4F * unit, 0.5F * where.height - 2.0F * unit}, IM_COL32_WHITE, "A");
-  list.AddText({right.x + 0.8F * unit, 0.5F * where.height - 2.0F * unit}, IM_COL32_WHITE, "B");
+  parts_.pictures.render();
+  parts_.redraw.sceneFrameDone();
+  const bool last = isScript() && framesDone_ + 1 >= *options_.frames;
+  const bool settled = !parts_.redraw.needsScenes() && !parts_.state.playing;
+  if (parts_.redraw.needsInspection() && (last || settled)) parts_.selection.inspect();
 }
 
 void Viewer::drawInterface() {
-  for (std::size_t i = 0; i < documents_.size(); ++i)
-    drawOverlays(i);
-  const Region whole{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
-  if (documents_.empty())
-    drawNotice(whole, "No file", "Drop a glTF or GLB file here, or name one on the command line.");
-  if (!state_.shaderError.empty())
-    drawNotice(whole, "A shader does not build; the last good ones go on", state_.shaderError);
-  if (!state_.message.empty() && now() - state_.messageSeconds < kMessageSeconds) {
-    ImGui::SetNextWindowPos({0.5F * whole.width, whole.height - 1.0F * ImGui::GetFontSize()}, ImGuiCond_Always,
-                            {0.5F, 1.0F});
-    ImGui::Begin("message", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::TextUnformatted(state_.message.c_str());
-    ImGui::End();
-  }
-  PanelResult result;
-  PanelFacts facts{window_.capabilities().renderer, command(0), width_, height_, {}};
-  std::vector<std::string> names;
-  for (const auto& document : documents_)
-    names.push_back(document->file().filename().string());
-  for (const std::string& name : names)
-    facts.documents.push_back(name.c_str());
-  if (state_.settings.panel) drawPanel(state_, current(), facts, result);
-  if (state_.settings.graph) drawFrameGraph(state_.history);
-  if (state_.inspection)
-    drawInspection(
-        *state_.inspection,
-        state_.configurations[static_cast<std::size_t>(state_.selection ? state_.selection->side : 0)].active);
-  if (state_.help) drawHelp(&state_.help);
-  canvas_.bind();
+  drawPictureOverlays();
+  const PanelResult result = drawWindows();
+  parts_.pictures.canvas().bind();
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glUseProgram(0);  // the backend puts the program back that it found, and that may have gone with its document
-  interface_.end();
+  glUseProgram(0);  // the backend restores the program in use, which may have been deleted with its document
+  parts_.interface.end();
   applyPanel(result);
+}
+
+void Viewer::drawPictureOverlays() {
+  for (std::size_t i = 0; i < parts_.documents.size(); ++i)
+    drawOverlays(parts_.documents, i, parts_.state, parts_.interface.scale());
+  const Region whole{0.0F, 0.0F, static_cast<float>(width_), static_cast<float>(height_)};
+  if (parts_.documents.empty())
+    drawNotice(whole, "No file", "Drop a glTF or GLB file here, or name one on the command line.");
+  const ViewState& state = parts_.state;
+  if (!state.shaderError.empty())
+    drawNotice(whole, "A shader does not build. The last working programs stay in use.", state.shaderError);
+  if (!state.message.empty() && secondsNow() - state.messageSeconds < kMessageSeconds)
+    drawMessage(whole, state.message);
+}
+
+PanelResult Viewer::drawWindows() {
+  ViewState& state = parts_.state;
+  PanelResult result;
+  PanelFacts facts{parts_.window.capabilities().renderer, command(0), width_, height_, {}};
+  for (std::size_t i = 0; i < parts_.documents.size(); ++i)
+    facts.documents.push_back(parts_.documents[i].file().filename().string());
+  if (state.settings.panel) drawPanel(state, parts_.documents.current(), facts, result);
+  if (state.settings.graph) drawFrameGraph(state.history);
+  if (state.inspection) {
+    const int side = state.selection ? state.selection->side : 0;
+    drawInspection(*state.inspection, state.configurations[static_cast<std::size_t>(side)].active);
+  }
+  if (state.help) drawHelp(&state.help);
+  return result;
 }
 
 void Viewer::applyPanel(const PanelResult& result) {
   bool changed = result.camerasChanged || result.layoutChanged;
   if (result.configurationsChanged)
-    for (Configuration& configuration : state_.configurations)
+    for (Configuration& configuration : parts_.state.configurations)
       changed |= configuration.update();
-  if (changed) touch();
+  if (changed) parts_.redraw.scenesChanged();
   for (const Action action : result.actions)
-    act(action);
+    perform(action, parts_);
   if (result.resize)
-    glfwSetWindowSize(window_.handle(), static_cast<int>(result.resize->x), static_cast<int>(result.resize->y));
-  if (!result.saveJson) return;
-  attempt([&] {
-    const std::filesystem::path& said = state_.configurations[0].wanted.json;
-    const std::filesystem::path file = said.empty() ? freshOutput("jalousie-figures", ".json") : said;
-    writeJson(file);
-    say(file.string());
-  });
+    glfwSetWindowSize(parts_.window.handle(), static_cast<int>(result.resize->x), static_cast<int>(result.resize->y));
+  if (result.saveFigures) parts_.outputs.saveFigures();
+}
+
+void Viewer::showTitle() {
+  const Document* document = parts_.documents.current();
+  const std::string title = document == nullptr ? "jalousie" : "jalousie - " + document->file().filename().string();
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(parts_.window.handle(), title.c_str());
+}
+
+void Viewer::loadNext() {
+  const std::optional<std::size_t> loaded = parts_.documents.loadNext();
+  if (loaded == 0 && select_) parts_.selection.select(0, *std::exchange(select_, std::nullopt));
+}
+
+void Viewer::keepSettings() {
+  if (isScript()) return;  // a script leaves the settings alone
+  ViewSettings& settings = parts_.state.settings;
+  settings.layout = parts_.interface.layout();
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(parts_.window.handle(), &width, &height);
+  if (width > 0 && height > 0) {
+    settings.width = static_cast<std::uint32_t>(width);
+    settings.height = static_cast<std::uint32_t>(height);
+  }
+  mergeBookmarks(settings, loadSettings(settingsFolder()));  // another viewer may have set some meanwhile
+  saveSettings(settings, settingsFolder());
+}
+
+void Viewer::finish() {
+  std::vector<Error> failures;
+  if (isScript()) {  // otherwise the user has read them in the window
+    failures = parts_.messages.failures();
+    for (std::size_t i = 0; i < parts_.documents.size(); ++i)
+      if (const Document& document = parts_.documents[i]; !document.error().empty())
+        failures.emplace_back(document.errorCode(), document.error());
+  }
+  const bool writes = failures.empty();
+  // Every step is tried, whatever happened before; the first failure is reported.
+  const auto attempt = [&](bool wanted, const std::function<void()>& task) {
+    try {
+      if (wanted) task();
+    } catch (const Error& error) {
+      failures.push_back(error);
+    }
+  };
+  attempt(true, [&] { keepSettings(); });
+  attempt(parts_.state.recording, [&] { parts_.recorder.save(); });
+  attempt(writes && !options_.screenshot.empty(),
+          [&] { asset::savePng(options_.withInterface ? captureWithInterface() : capture(), options_.screenshot); });
+  attempt(writes && !options_.json.empty(), [&] { parts_.outputs.writeFigures(options_.json); });
+  if (!failures.empty()) throw Error(failures.front());
 }
 
 }  // namespace jalousie::app

@@ -3,153 +3,72 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "app/view/canvas.h"
-#include "app/view/input.h"
-#include "app/view/interface.h"
-#include "app/view/overlay.h"
 #include "app/view/panel.h"
 #include "app/view/view_options.h"
-#include "app/view/view_state.h"
-#include "asset/scene_file.h"
-#include "core/error.h"
-#include "gl/shader_source.h"
+#include "app/view/viewer_parts.h"
 #include "platform/window.h"
 
 namespace jalousie::app {
 
-/// Shows files in a window until it is closed. Scenes are rendered when something changed, and until their visible set
-/// and levels have settled; then the window waits for events.
+/// Shows files in a window until it is closed. Scenes are rendered after a change until their visible sets and LODs
+/// have settled; then the viewer waits for events.
 class Viewer {
  public:
-  /// Opens the files; what fails to open says so in the window. @param options  finished
+  /// Opens the files; a file that cannot be opened is reported in the window. @param options  finished
   /// Errors: kShader if the programs of the interface do not build.
   Viewer(platform::Window& window, const ViewOptions& options);
-  ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Events, scenes, interface, once. Waits for events, at most a tenth of a second, where nothing is to be done.
+  /// Handles events, renders, and draws the interface, once. Waits for events, at most 0.1 s, if nothing is to be done.
   void step();
-  /// The window is closed, or the frames asked for are done.
+  /// Whether the window is closed, or a script has shown its number of frames.
   bool done() const;
-  /// Nothing moves, everything is loaded and has settled.
-  bool idle() const { return dirtyFrames_ == 0 && !state_.playing && !state_.recording && !inspectSoon_ && !loading(); }
+  /// Whether nothing moves and everything is loaded and has settled.
+  bool idle() const;
 
-  const ViewState& state() const { return state_; }
-  std::size_t documentCount() const { return documents_.size(); }
-  Document& document(std::size_t index) { return *documents_[index]; }
+  const ViewState& state() const { return parts_.state; }
+  std::size_t documentCount() const { return parts_.documents.size(); }
+  Document& document(std::size_t index) { return parts_.documents[index]; }
   /// Where a document's picture is in the window.
-  Region region(std::size_t document) const;
+  Region region(std::size_t document) const { return parts_.documents.region(document); }
   /// `jalousie render ...` for the picture of one configuration of the current document.
-  /// @param absolute  paths that hold in any folder
-  std::string command(int side, const std::string& output = "frame.png", bool absolute = false) const;
-  /// Renders every picture as from a fresh start and puts them together, without interface. Waits for the GPU.
-  ImageRgba8 capture();
+  std::string command(int side, const std::string& output = "frame.png") const {
+    return parts_.outputs.command(side, output, /*absolute=*/false);
+  }
+  /// Renders every picture as from a fresh start and composes them, without the interface. Waits for the GPU.
+  ImageRgba8 capture() { return parts_.pictures.capture(); }
   /// The window as it was last shown. Waits for the GPU.
-  ImageRgba8 captureWithInterface() const { return canvas_.read(); }
-  /// Writes what the options ask for at the end, and the settings. Errors: kWriteFailed.
+  ImageRgba8 captureWithInterface() const { return parts_.outputs.window(); }
+  /// Writes what the options ask for at the end, and the settings.
+  /// Errors: kWriteFailed; in a script also the first thing that was asked for and failed.
   void finish();
 
  private:
-  // viewer.cpp
-  void layOut();
+  void handleEvents();
+  void handleEvent(const InputEvent& event);
+  void handleKey(const InputEvent& event);
   void renderScenes();
-  void renderDocument(std::size_t index);
-  void compose();
-  void inspect();
   void drawInterface();
-  void drawOverlays(std::size_t index);
+  void drawPictureOverlays();
+  PanelResult drawWindows();
   void applyPanel(const PanelResult& result);
   void showTitle();
-  /// Cameras of a picture; nothing, and why in the message, where none can stand.
-  std::optional<RenderCameras> camerasFor(std::size_t document, int side);
-  RenderOptions optionsFor(std::size_t document, int side) const;
-  double now() const;
-  Document* current() { return state_.current < documents_.size() ? documents_[state_.current].get() : nullptr; }
-
-  // viewer_input.cpp
-  void handleEvents();
-  void handleKey(const InputEvent& event);
-  void handleButton(const InputEvent& event);
-  void handleMove(const InputEvent& event);
-  void handleWheel(const InputEvent& event);
-  void flyByKeys(double seconds);
-  void act(Action action);
-  void pick(const glm::vec2& at);
-  void select(std::size_t document, int side, std::uint32_t object);
-  void movePose(const Pose& pose);
-  /// Whether a document's camera is that of another.
-  bool follows(std::size_t document, std::size_t leader) const;
-  Pose currentPose();
-  scene::Camera cameraOf(std::size_t document);
-  void useBookmark(std::size_t number, bool set);
-  void cycle(const char* option, int step);
-  void freezeOrThaw();
-
-  // viewer_files.cpp
-  void open(const std::filesystem::path& file);
-  bool loading() const;
-  /// Reads one file that was opened and not read yet.
   void loadNext();
-  void closeCurrent();
-  void watchFiles();
-  void playPath(double seconds);
-  void recordPose();
-  std::size_t recordedIndex() const;
-  void stopRecording();
-  void saveRecording();
   void keepSettings();
-  /// Does something that may fail; then it says why, and the window lives on.
-  void attempt(const std::function<void()>& task);
-  void screenshot(bool withInterface);
-  void writeJson(const std::filesystem::path& file) const;
-  std::filesystem::path freshOutput(const char* stem, const char* extension) const;
-  void say(const std::string& message);
+  bool isScript() const { return options_.frames.has_value(); }
 
-  /// Something that changes pictures happened: render until they have settled again.
-  void touch();
-
-  platform::Window& window_;
-  ViewOptions options_;
-  ViewState state_;
-  Input input_;
-  Interface interface_;
-  Canvas canvas_;
-  std::vector<std::unique_ptr<Document>> documents_;
-  std::vector<CameraChoice> starts_;  ///< cameras of the start, by document
-  gl::ShaderLibrary shaders_;
-  FileWatch shaderWatch_;
-  std::filesystem::path settingsFolder_;
+  const ViewOptions options_;
+  ViewerParts parts_;
+  std::optional<std::uint32_t> select_;  ///< --select, until the first document is loaded
   std::string title_;
-  const Document* charted_ = nullptr;  ///< whose frames the history holds
-
-  std::uint32_t width_ = 0;
+  std::uint32_t width_ = 0;  ///< framebuffer, pixels
   std::uint32_t height_ = 0;
   std::uint32_t framesDone_ = 0;
-  std::uint32_t dirtyFrames_ = 0;  ///< frames still to be rendered
-  std::uint32_t wakeFrames_ = 3;   ///< frames of the interface still to be drawn without waiting
-  bool inspectSoon_ = false;       ///< when everything has settled
-  bool screenshotSoon_ = false;    ///< with the interface, when it is drawn
-  bool quit_ = false;
-  double lastStep_ = 0.0;
-  double lastWatch_ = 0.0;
-  double pathSeconds_ = 0.0;
-  double pathStart_ = 0.0;
-  double recordStart_ = 0.0;
-  asset::CameraTrack recorded_;
-  const Document* recordsFrom_ = nullptr;  ///< whose camera is recorded
-  std::vector<Error> failures_;            ///< what a script asked for and did not get
-
-  enum class Drag { kNone, kTurn, kPan, kLook, kDivider };
-  Drag drag_ = Drag::kNone;
-  glm::vec2 dragFrom_{0.0F};
-  glm::vec2 pointer_{0.0F};
-  bool dragged_ = false;  ///< far enough not to be a click
+  double lastStep_ = 0.0;  ///< seconds
 };
 
 }  // namespace jalousie::app

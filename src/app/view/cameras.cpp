@@ -1,0 +1,80 @@
+// Cameras of the current document.
+#include "app/view/cameras.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace jalousie::app {
+
+Cameras::Cameras(ViewState& state, Documents& documents, Redraw& redraw, Messages& messages)
+    : state_(state), documents_(documents), redraw_(redraw), messages_(messages) {}
+
+Pose Cameras::pose() {
+  const Document& document = *documents_.current();
+  if (document.camera.pose) return *document.camera.pose;
+  const scene::Camera camera = documents_.drawCamera(state_.current);
+  return poseOf(camera, targetDistance(camera, document.boundsWorld()));
+}
+
+void Cameras::move(const Pose& pose) {
+  if (!isUsable(pose)) return;
+  state_.playing = false;
+  for (const std::size_t i : documents_.followers(state_.current)) {
+    documents_[i].camera.pose = pose;
+    documents_[i].camera.frame.reset();
+  }
+  redraw_.scenesChanged();
+}
+
+void Cameras::frame() {
+  const Document* document = documents_.current();
+  if (document == nullptr) return;
+  const Region where = documents_.region(state_.current);
+  const Aabb box = state_.inspection ? state_.inspection->boundsWorld : document->boundsWorld();
+  const float fovY = documents_.drawCamera(state_.current).fovY;
+  move(framed(pose(), box, fovY, std::max(where.width, 1.0F) / where.height));
+}
+
+void Cameras::freezeOrThaw() {
+  Document* document = documents_.current();
+  if (document == nullptr) return;
+  CameraChoice& camera = document->camera;
+  if (camera.frozen()) {
+    camera.freezeFrame.reset();
+    camera.freezePose.reset();
+    messages_.say("The culling camera follows the drawing camera again.");
+  } else {
+    if (camera.frame || (!camera.pose && document->pathFrames() > 0))
+      camera.freezeFrame = camera.frame.value_or(0.0F);
+    else
+      camera.freezePose = pose();
+    messages_.say("The culling camera is frozen here; the drawing camera can move on.");
+  }
+  redraw_.scenesChanged();
+}
+
+Bookmarks& Cameras::bookmarks() {
+  std::error_code failed;
+  return state_.settings.bookmarks[std::filesystem::absolute(documents_.current()->file(), failed).string()];
+}
+
+bool Cameras::setBookmark(std::size_t number) {
+  if (documents_.current() == nullptr) return false;
+  const Pose here = pose();
+  if (!isUsable(here)) return false;
+  bookmarks()[number] = here;
+  messages_.say(fmt::format("Bookmark {} is set.", number + 1));
+  return true;
+}
+
+void Cameras::goToBookmark(std::size_t number) {
+  if (documents_.current() == nullptr) return;
+  const std::optional<Pose> marked = bookmarks()[number];
+  if (!marked) return messages_.say(fmt::format("There is no bookmark {0}. Ctrl+{0} sets it.", number + 1));
+  move(*marked);
+}
+
+}  // namespace jalousie::app

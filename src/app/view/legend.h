@@ -1,0 +1,12 @@
+// Legends: what the colours of a view mean.
+#pragma once
+
+#include "app/render_options.h"
+#include "app/view/region.h"
+
+namespace jalousie::app {
+
+/// Draws the legend of a view in the lower right corner of a region; nothing for views without colours of their own.
+void drawLegend(const Region& region, const RenderOptions& options);
+
+}  // namespace jalousie::app

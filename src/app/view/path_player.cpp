@@ -1,0 +1,67 @@
+// Plays camera paths: in real time for people, frame by frame for scripts.
+#include "app/view/path_player.h"
+
+#include <cmath>
+
+#include "core/error.h"
+
+namespace jalousie::app {
+namespace {
+
+constexpr auto kPathRate = static_cast<double>(scene::kPathRate);
+
+bool hasPath(const Documents& documents) {
+  for (std::size_t i = 0; i < documents.size(); ++i)
+    if (documents[i].pathFrames() > 0) return true;
+  return false;
+}
+
+}  // namespace
+
+PathPlayer::PathPlayer(const ViewOptions& options, ViewState& state, Documents& documents, Redraw& redraw,
+                       Messages& messages)
+    : options_(options),
+      state_(state),
+      documents_(documents),
+      redraw_(redraw),
+      messages_(messages),
+      startSeconds_(static_cast<double>(options.render.frame.value_or(0.0F)) / kPathRate),
+      pathSeconds_(startSeconds_) {}
+
+void PathPlayer::toggle() {
+  const Document* document = documents_.current();
+  if (document == nullptr) return;
+  if (!state_.playing && document->pathFrames() == 0)
+    return messages_.say("The file has no camera path. Record one, or name one in the panel.");
+  state_.playing = !state_.playing;
+  pathSeconds_ = static_cast<double>(document->camera.frame.value_or(0.0F)) / kPathRate;
+  redraw_.scenesChanged();
+}
+
+void PathPlayer::step(double seconds, std::uint32_t framesDone) {
+  if (!state_.playing) return;
+  if (!documents_.loading() && !hasPath(documents_)) {
+    state_.playing = false;
+    return messages_.fail({ErrorCode::kUsage, "--play: no file has a camera path"});
+  }
+  const bool isScript = options_.frames.has_value();
+  pathSeconds_ = isScript ? startSeconds_ + framesDone / kPathRate : pathSeconds_ + seconds;
+  const double frame = std::floor(pathSeconds_ * kPathRate + 1e-6);
+  if (isScript) {
+    for (std::size_t i = 0; i < documents_.size(); ++i)
+      show(i, frame);
+  } else if (documents_.current() != nullptr) {
+    for (const std::size_t i : documents_.followers(state_.current))
+      show(i, frame);
+  }
+  redraw_.inspectionOutdated();
+}
+
+void PathPlayer::show(std::size_t index, double frame) {
+  Document& document = documents_[index];
+  if (document.pathFrames() == 0) return;
+  document.camera.frame = static_cast<float>(std::fmod(frame, static_cast<double>(document.pathFrames())));
+  document.camera.pose.reset();
+}
+
+}  // namespace jalousie::app
