@@ -16,13 +16,11 @@
 #include "asset/lod_chain.h"
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/import.h"
-#include "bake/io/level_nodes.h"
-#include "bake/mesh/bounds.h"
-#include "bake/mesh/normals.h"
 #include "bake/mesh/surface_samples.h"
 #include "bake/mesh/triangle_bvh.h"
 #include "bake/mesh/wedges.h"
 #include "bake/pipeline/threads.h"
+#include "core/aabb.h"
 #include "core/error.h"
 #include "core/random.h"
 
@@ -53,7 +51,10 @@ WedgeMesh load(const std::string& name) {
   const std::string file = name.substr(0, at);
   const std::size_t lod = at == std::string::npos ? 0 : std::stoul(name.substr(at + 1));
   const tinygltf::Model model = bake::importFiles({file}, {});
-  const std::vector<bool> isLower = bake::levelNodes(model);
+  std::vector<bool> isLower(model.nodes.size(), false);
+  for (std::size_t n = 0; n < model.nodes.size(); ++n)
+    for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
+      isLower[static_cast<std::size_t>(lower)] = true;
   WedgeMesh whole;
   whole.slots = {{"NORMAL", 3, 0, bake::AttributeKind::kNormal}};
   whole.stride = 3;
@@ -77,10 +78,10 @@ std::vector<bake::SurfaceSample> randomSamples(const WedgeMesh& mesh, std::uint6
   std::vector<double> cumulative(mesh.triangles());
   double area = 0.0;
   for (std::uint32_t t = 0; t < cumulative.size(); ++t) {
-    const std::size_t first = 3 * std::size_t{t};
-    area += bake::triangleArea(mesh.positions[mesh.vertexAt(first)], mesh.positions[mesh.vertexAt(first + 1)],
-                               mesh.positions[mesh.vertexAt(first + 2)]);
-    cumulative[t] = area;
+    const glm::dvec3 a(mesh.positions[mesh.vertexAt(3 * std::size_t{t})]);
+    const glm::dvec3 b(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 1)]);
+    const glm::dvec3 c(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 2)]);
+    cumulative[t] = area += 0.5 * glm::length(glm::cross(b - a, c - a));
   }
   Random random(seed);
   std::vector<bake::SurfaceSample> samples;
@@ -128,7 +129,10 @@ Side judge(const WedgeMesh& from, const WedgeMesh& to, const bake::TriangleBvh& 
 void run(int argc, char** argv) {
   const WedgeMesh reference = load(argv[1]);
   const bake::TriangleBvh referenceBvh(reference.positions, bake::vertexIndices(reference));
-  const double percent = 100.0 / bake::boundsOf(reference.positions).diagonal();
+  Aabb box;
+  for (const glm::vec3& p : reference.positions)
+    box.add(p);
+  const double percent = 100.0 / box.diagonal();
   for (int i = 2; i < argc; ++i) {
     const WedgeMesh mesh = load(argv[i]);
     const Side to = judge(mesh, reference, referenceBvh, 1);
