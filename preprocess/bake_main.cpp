@@ -1,4 +1,4 @@
-// jalousie-bake: meshes in, glTF with measured LOD chains out.
+// jalousie-bake: reads meshes and writes glTF with measured LOD chains.
 #include <fmt/format.h>
 
 #include <exception>

@@ -1,4 +1,4 @@
-// jalousie-scatter: copies of a baked object in a cube, with camera path and occluder, as one GLB.
+// jalousie-scatter: writes copies of a baked object in a cube, with camera path and occluder, as one GLB.
 #include <fmt/format.h>
 
 #include <cstdio>

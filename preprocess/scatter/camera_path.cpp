@@ -1,4 +1,4 @@
-// Circles, approach and the frames of the walkthrough.
+// Computes the poses of the circles and of the approach, frame by frame.
 #include "scatter/camera_path.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ constexpr double kElevation = 15.0 * kPi / 180.0;
 constexpr double kArc = 15.0 * kPi / 180.0;
 /// Radius of the circle inside, as a share of half the cube's side.
 constexpr double kInsideShare = 0.5;
-/// Inside, the camera looks along its way, turned this far towards the middle.
+/// Inside, the camera looks along its path, turned towards the middle by this angle.
 constexpr double kInsideTurn = 30.0 * kPi / 180.0;
-/// Room around the objects, which also holds what straight lines between the keys cut off the circle.
+/// Margin around the objects. It also covers the parts of the circle that linear interpolation cuts off.
 constexpr double kMargin = 1.03;
 
 bool single(const PathSubject& subject) {

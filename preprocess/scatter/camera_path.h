@@ -1,4 +1,4 @@
-// The walkthrough: around the cube, towards it, a circle inside (thesis 4.2.1), or around a single object.
+// The camera path: around the cube, towards it, a circle inside it (thesis 4.2.1), or around a single object.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ inline constexpr std::uint32_t kApproachFrame = 900;  ///< first frame of the ap
 inline constexpr std::uint32_t kInsideFrame = 1200;   ///< first frame of the circle inside
 inline constexpr std::uint32_t kFrameCount = 1800;    ///< frames 0 to 1799
 
-/// What the path goes around. World units; the objects are centred on the origin.
+/// The objects that the path goes around. World units; the objects are centred on the origin.
 struct PathSubject {
   float halfSide = 0.0F;      ///< of the cube of the objects' centres; 0 for a single object
   float objectRadius = 1.0F;  ///< of the largest object's bounding sphere
-  bool occluder = false;      ///< something stands before the objects, towards +z
+  bool occluder = false;      ///< there is an occluder before the objects, towards +z
 };
 
-/// Camera poses, looking along -z of their frame, y up. The rotations have no jumps of sign.
+/// Camera poses, looking along -z of their frame, y up. Successive rotations have the same sign.
 struct CameraPath {
   std::vector<float> times;  ///< seconds, ascending from 0
   std::vector<glm::vec3> positions;
@@ -34,7 +34,7 @@ float outsideDistance(const PathSubject& subject);
 /// Positions of the frames during which an occluder stands between the camera and the objects.
 std::vector<glm::vec3> eyesBehindOccluder(const PathSubject& subject);
 
-/// Keys every ten frames and at the last one; linear interpolation between them is meant.
+/// Keys every ten frames and at the last frame, to be interpolated linearly.
 CameraPath makeCameraPath(const PathSubject& subject);
 
 }  // namespace jalousie::scatter

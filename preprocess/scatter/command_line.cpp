@@ -1,4 +1,4 @@
-// Options, presets and their precedence: what is given explicitly, then the preset, then the defaults.
+// Parses the options. Precedence: explicit options, then the preset, then the defaults.
 #include "scatter/command_line.h"
 
 #include <fmt/format.h>
@@ -31,19 +31,23 @@ constexpr ScaleRange kThesisScale{0.5F, 1.5F};
 constexpr double kDefaultSpacing = 1.2;
 
 constexpr const char* kDescription =
-    "Scatters copies of a baked object in a cube: instances, LOD chain, camera path and an "
-    "optional occluder in one GLB.";
+    "Scatters copies of a baked object in a cube: instances, LOD chain, camera path and optional occluder in one GLB";
 constexpr const char* kFooter = R"(Examples:
   jalousie-scatter bunny.glb --preset thesis-5001 -o bunnies.glb
+      scatter 5001 objects, as in the first scene of the thesis
   jalousie-scatter bunny.glb --preset thesis-10001 --seed 7 --json report.json -o sparse.glb
+      scatter 10001 objects of random size with other random numbers, and write a report
   jalousie-scatter tree.glb --count 300 --layout cube --side 80 --rotate any --scale 0.5,2 -o trees.glb
+      scatter 300 objects with random rotation and scale
   jalousie-scatter bunny.glb --count 1 --occluder foliage --cover 0.8 -o behind_leaves.glb
+      place one object behind leaves that cover 80 % of the occluder's area
 
-Same input and options, same bytes. The first of the objects is in the middle of the cube.
-Every scene has an animated camera, 1800 frames at 30 per second: around the cube (0-899), towards it (900-1199),
-a circle inside (1200-1799); for a single object an arc in front of the occluder, or circles around it.)";
+The same input and options give the same bytes. The first object is in the middle of the cube.
+Every scene has an animated camera with 1800 frames at 30 per second. Several objects: around the cube (frames 0-899),
+towards it (900-1199), a circle inside (1200-1799). A single object: circles around it, or an arc in front of the
+occluder.)";
 
-/// The options as written; what is absent comes from the preset or the defaults.
+/// The options as given; absent ones come from the preset or the defaults.
 struct Given {
   std::string preset;
   std::optional<std::uint32_t> count;
@@ -76,7 +80,7 @@ float parseFloat(std::string_view text) {
   float value = 0.0F;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    usage(fmt::format("--scale: \"{}\" is no number", text));
+    usage(fmt::format("--scale: \"{}\" is not a number", text));
   return value;
 }
 
@@ -132,19 +136,37 @@ std::optional<Occluder> resolveOccluder(const Given& given, bool coverGiven) {
 }
 
 void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
-  app.add_option("--count", given.count, "Objects, the one in the middle included");
-  app.add_option("--layout", given.layout, "Where the objects go: cube")->check(CLI::IsMember({"cube"}));
-  app.add_option(
-      "--side", given.side,
-      "Side of the cube of the objects' centres, world units [1.2 diagonals of the object per object along a "
-      "side]");
-  app.add_option("--rotate", given.rotate, "Random rotation: x (about the global x axis), any, none [none]")
-      ->check(CLI::IsMember({"x", "any", "none"}));
-  app.add_option("--scale", given.scale, "MIN,MAX of the random scale [1,1]");
-  app.add_option("--seed", seed, "Seed of all random choices [1]");
+  app.add_option("--count", given.count, "Scatter this many objects, the one in the middle included [from --preset]")
+      ->type_name(fmt::format("UINT in [1 - {}]", asset::Limits{}.maxInstances));
+  app.add_option("--layout", given.layout, "Choose the shape in which objects are placed")
+      ->check(CLI::IsMember({"cube"}))
+      ->capture_default_str();
+  app.add_option("--side", given.side,
+                 "Set the side of the cube of the objects' centres, world units "
+                 "[1.2 diagonals of the object per object along a side]")
+      ->type_name("LENGTH");
+  app.add_option("--rotate", given.rotate, "Rotate objects at random: x (about the global x axis), any, none")
+      ->check(CLI::IsMember({"x", "any", "none"}))
+      ->default_str("none");
+  app.add_option("--scale", given.scale, "Scale objects at random by a factor from MIN to MAX, 0 < MIN <= MAX")
+      ->type_name("MIN,MAX")
+      ->default_str("1,1");
+  app.add_option("--seed", seed, "Set the seed of all random numbers")->capture_default_str();
   app.add_option("--preset", given.preset,
-                 "thesis-5001 (dense cube) or thesis-10001 (sparse cube, random scale); explicit options override it")
+                 "Use a scene of the thesis: thesis-5001 (dense cube), thesis-10001 (sparse cube, random scale); "
+                 "given options override it [none]")
       ->check(CLI::IsMember({"thesis-5001", "thesis-10001"}));
+}
+
+/// @return  the option --cover
+CLI::Option* addOccluderOptions(CLI::App& app, Given& given) {
+  app.add_option("--occluder", given.occluder,
+                 "Place an occluder before the objects, as seen from the first frame: "
+                 "foliage, grid (small holes), fence (wide slots), plane (one large hole) [none]")
+      ->check(CLI::IsMember({"foliage", "grid", "fence", "plane"}));
+  return app.add_option("--cover", given.cover, "Cover this share of the occluder's area; approximate for foliage")
+      ->type_name("SHARE in [0 - 1]")
+      ->default_str("0.75");
 }
 
 }  // namespace
@@ -156,19 +178,14 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   Given given;
   std::uint64_t seed = 1;
   app.add_option("BAKED", options.input,
-                 "glTF or GLB file; the first mesh of its scene is scattered, with its LOD chain")
-      ->required();
-  app.add_option("-o,--output", options.output, "GLB file to write")->required();
+                 "Read this glTF or GLB file and scatter the first mesh of its scene with its LOD chain")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("-o,--output", options.output, "Write this GLB file")->required()->type_name("OUT.glb");
   addLayoutOptions(app, given, seed);
-  app.add_option(
-         "--occluder", given.occluder,
-         "Procedural occluder before the objects as seen from the first frame: foliage, grid (small holes), fence "
-         "(wide slots), plane (one large hole)")
-      ->check(CLI::IsMember({"foliage", "grid", "fence", "plane"}));
-  CLI::Option* cover = app.add_option("--cover", given.cover,
-                                      "Covered share of the occluder's area, 0 to 1; approximate for foliage [0.75]");
-  app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON");
-  app.add_flag("-q,--quiet", options.quiet, "No progress and no summary");
+  const CLI::Option* cover = addOccluderOptions(app, given);
+  app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON")->type_name("REPORT");
+  app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,8 +7,8 @@
 
 namespace jalousie::scatter {
 
-/// Parses the arguments; prints the help and returns nullopt where that is asked for.
-/// Errors: kUsage with one line of reason.
+/// Parses the arguments. After --help it prints the help and returns nullopt.
+/// Errors: kUsage with a reason of one line
 std::optional<Options> parseCommandLine(int argc, const char* const* argv);
 
 }  // namespace jalousie::scatter

@@ -1,4 +1,4 @@
-// Placement by rejection sampling: only sums, products and square roots, which every machine rounds alike.
+// Places objects by rejection sampling. It uses only sums, products and square roots, which all machines round alike.
 #include "scatter/layout.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ Vector randomDirection(Random& random) {
   }
 }
 
-/// A uniform direction of the half angle gives a uniform angle; a uniform unit quaternion a uniform rotation.
+/// A uniform direction of the half angle gives a uniform angle, and a uniform unit quaternion a uniform rotation.
 glm::quat randomRotation(Rotation kind, Random& random) {
   if (kind == Rotation::kX) {
     const auto half = randomDirection<glm::vec2>(random);

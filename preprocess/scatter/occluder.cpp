@@ -1,4 +1,4 @@
-// Leaf cards, bars, slats and a wall with a hole.
+// Builds leaf cards, bars, slats and a wall with a hole.
 #include "scatter/occluder.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ constexpr float kLeafTilt = 0.8F;            ///< largest tangent of the angle b
 constexpr float kLeafDepth = 0.1F;           ///< half the depth of the foliage, in half sizes
 constexpr float kMostFoliage = 0.99F;
 constexpr float kGap = 0.25F;       ///< between objects and occluder, in radii of the objects' extent
-constexpr float kOverhang = 1.15F;  ///< size beyond what hides the objects
-/// Keeps the leaves' numbers apart from those that place the objects.
+constexpr float kOverhang = 1.15F;  ///< size relative to the smallest one that occludes all objects
+/// Makes the random numbers of the leaves independent of those of the objects.
 constexpr std::uint64_t kLeafStream = 0x6C656166ULL;
 
 void addQuad(OccluderMesh& mesh, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v) {

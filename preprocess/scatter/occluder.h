@@ -23,7 +23,8 @@ struct OccluderPlace {
   float halfSize;
 };
 
-/// Between the objects and the camera's first position, large enough to stand before all of them from there.
+/// Places the occluder between the objects and the first camera position, large enough to occlude all objects from
+/// there.
 OccluderPlace placeOccluder(const PathSubject& subject);
 
 /// Makes the geometry around the origin, in the square [-halfSize, halfSize]^2 of the plane z = 0.

@@ -1,4 +1,4 @@
-// What jalousie-scatter is asked for.
+// Options of jalousie-scatter.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct ScaleRange {
   float max = 1.0F;
 };
 
-/// What happens to the objects. Everything is set; see resolveOptions for how presets and defaults get there.
+/// How the objects are placed. Presets and defaults are already merged in.
 struct Layout {
   std::uint32_t count = 1;     ///< objects, the one in the middle included
   std::optional<float> side;   ///< of the cube that holds the objects' centres, world units

@@ -1,4 +1,4 @@
-// Report of jalousie-scatter.
+// Formats the report of jalousie-scatter.
 #include "scatter/report.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The figures of a scattered scene as JSON and as one line.
+// Reports the figures of a scattered scene as JSON and as one line.
 #pragma once
 
 #include <string>

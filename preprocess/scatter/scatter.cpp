@@ -1,4 +1,4 @@
-// Composition of the output model: meshes of the chain, instances, occluder, camera and its animation.
+// Assembles the output model: meshes of the chain, instances, occluder, camera and its animation.
 #include "scatter/scatter.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ constexpr const char* kLights = "KHR_lights_punctual";
 constexpr float kNearShare = 0.02F;
 constexpr float kFarShare = 1.5F;
 
-/// Everything but nodes and what hangs on them.
+/// Everything but nodes, scenes, cameras and animations.
 Model withoutNodes(Model&& input) {
   Model model;
   model.asset = input.asset;
@@ -129,7 +129,7 @@ int addCamera(Model& model, const PathSubject& subject, const Aabb& boundsWorld)
   return asset::appendCamera(model, "walkthrough", camera);
 }
 
-/// Lengths are squared on the way to the camera, so the square must be finite too.
+/// The camera path squares lengths, so the squares must be finite too.
 void requireRepresentable(const Aabb& box) {
   if (!std::isfinite(glm::dot(box.min, box.min)) || !std::isfinite(glm::dot(box.max, box.max)))
     throw Error(ErrorCode::kUsage, "--side or --scale is too large for this object");

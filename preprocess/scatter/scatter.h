@@ -1,4 +1,4 @@
-// A scattered scene as one glTF model.
+// Builds a scattered scene as one glTF model.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -11,7 +11,7 @@
 
 namespace jalousie::scatter {
 
-/// Measures of the scene that was made.
+/// Figures of the scene.
 struct Summary {
   float side = 0.0F;                     ///< world units
   std::uint32_t levels = 0;              ///< of the LOD chain
@@ -27,8 +27,8 @@ struct ScatteredScene {
 };
 
 /// Builds the scene: instances on the nodes of the chain, the occluder, the animated camera. The input's meshes,
-/// materials and images are taken over; its other nodes, cameras and animations are not. Errors: as findSourceChain;
-/// kUsage for lengths that the input's size makes unrepresentable.
+/// materials and images are copied; its other nodes, cameras and animations are not. Errors: as findSourceChain;
+/// kUsage if lengths are not representable with the input's size.
 ScatteredScene scatterObjects(tinygltf::Model input, const Options& options, Progress& progress);
 
 }  // namespace jalousie::scatter

@@ -1,4 +1,4 @@
-// Search of the scattered node, its transform and the measures of its chain.
+// Finds the scattered node, its transform and the measures of its chain.
 #include "scatter/source_chain.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::optional<Found> firstMeshNode(const Model& model) {
   return std::nullopt;
 }
 
-/// Splits a matrix; instances can only repeat what is translation, rotation and scale.
+/// Splits a matrix into translation, rotation and scale, the only transforms that instances have.
 Pose decompose(const glm::dmat4& matrix) {
   glm::dmat3 linear(matrix);
   glm::dvec3 scale(glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2]));

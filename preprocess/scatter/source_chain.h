@@ -1,4 +1,4 @@
-// The object that is scattered: the first mesh of a scene with its LOD chain.
+// Finds the object to scatter: the first mesh of a scene with its LOD chain.
 #pragma once
 
 #include <tiny_gltf.h>

@@ -1,4 +1,4 @@
-// Chains inside documents: what is added, what must survive, what is passed through.
+// Chains in documents: what is added, kept and passed through.
 #include "bake/io/bake_document.h"
 
 #include <gtest/gtest.h>

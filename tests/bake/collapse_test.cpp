@@ -1,4 +1,4 @@
-// What must survive a collapse: borders, seams, materials, mirrored texture, hard edges, the largest part.
+// Features that a collapse keeps: borders, seams, materials, mirrored texture, hard edges, the largest part.
 #include "bake/simplify/collapse.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Folders, patterns and lists of inputs; where results go; depfiles.
+// Folders, patterns and lists of inputs; paths of outputs; depfiles.
 #include "bake/io/inputs.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Chains read back from documents, ours and foreign ones.
+// Reads chains back from documents of this baker and of other tools.
 #include "bake/report/inspect.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Measured distances against brute force and against spheres of known size.
+// Compares measured distances with brute force and with spheres of known size.
 #include "bake/simplify/measure.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The OBJ reader: materials, polygons, hostile input.
+// The OBJ reader: materials, polygons, untrusted input.
 #include "bake/io/obj_reader.h"
 
 #include <fmt/format.h>

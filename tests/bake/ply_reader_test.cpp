@@ -1,4 +1,4 @@
-// The PLY reader on every encoding and on files made to break it.
+// The PLY reader on every encoding and on malformed files.
 #include "bake/io/ply_reader.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// jalousie-bake as its users run it.
+// Runs jalousie-bake with the command lines of users.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Small limits, so that time goes into finding new paths instead of large meshes.
+// Uses small limits, so that fuzzing spends its time on new paths instead of large meshes.
 #include "fuzz/exercise.h"
 
 #include <tiny_gltf.h>

@@ -1,5 +1,5 @@
-// What a file may do to us, one function for each kind: read it, use what was read, and hold the results to laws. A
-// jalousie::Error is a fine answer; anything else that is not success aborts.
+// Exercises the readers with one file: reads it, uses the result and checks invariants. A jalousie::Error is a valid
+// result; any other failure aborts.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The walkthrough: its length, continuity, and what is in view from where.
+// The camera path: length, continuity, and the objects in view.
 #include "scatter/camera_path.h"
 
 #include <gtest/gtest.h>

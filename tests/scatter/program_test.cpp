@@ -1,4 +1,4 @@
-// The program itself: exit codes, one line of reason, nothing written on failure, report.
+// Runs jalousie-scatter: exit codes, one line per failure, no output after a failure, report.
 #include <sys/wait.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The composed scene, read back through the scene reader: instances, chain, camera, occluder, presets.
+// Reads the scattered scene back with the scene reader: instances, chain, camera, occluder, presets.
 #include "scatter/scatter.h"
 
 #include <cmath>

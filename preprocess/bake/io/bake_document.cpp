@@ -1,4 +1,4 @@
-// Mesh by mesh: read, clean, subdivide, simplify, measure, write back, link with MSFT_lod.
+// For each mesh: reads, cleans, subdivides, simplifies, measures, writes back, and links levels with MSFT_lod.
 #include "bake/io/bake_document.h"
 
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "bake/io/gltf_mesh.h"
+#include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/clean.h"
@@ -28,15 +29,6 @@ namespace {
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
-/// Per node whether a chain that was there before lists it as a level.
-std::vector<bool> levelNodes(const tinygltf::Model& model) {
-  std::vector<bool> isLevel(model.nodes.size(), false);
-  for (std::size_t n = 0; n < model.nodes.size(); ++n)
-    for (const int level : asset::lodNodes(model, static_cast<int>(n)))
-      isLevel[static_cast<std::size_t>(level)] = true;
-  return isLevel;
-}
-
 std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::vector<int>& nodes,
                          const std::vector<bool>& isLevel) {
   for (const int n : nodes) {
@@ -50,7 +42,7 @@ std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mes
   return unbakeableReason(mesh);
 }
 
-/// The node of one level: same place, same instances, no children.
+/// Appends the node of one level: same transform, same instances, no children.
 int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int mesh, std::size_t lod) {
   tinygltf::Node node;
   node.name = fmt::format("{}_lod{}", source.name, lod);
@@ -65,7 +57,7 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
-/// Where each node is moved: pairs of animation and channel, by node.
+/// The channels that move each node: pairs of animation and channel, by node.
 using ChannelIndex = std::multimap<int, std::pair<std::size_t, std::size_t>>;
 
 ChannelIndex indexChannels(const tinygltf::Model& model) {
@@ -77,7 +69,7 @@ ChannelIndex indexChannels(const tinygltf::Model& model) {
   return index;
 }
 
-/// Levels move as LOD 0 does: every channel that moves its node moves theirs.
+/// Copies every channel that moves the node of LOD 0 to the nodes of the levels.
 void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int node, const std::vector<int>& levels) {
   const auto [first, last] = channels.equal_range(node);
   for (auto at = first; at != last; ++at) {
@@ -90,7 +82,7 @@ void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int nod
   }
 }
 
-/// What bakeDocument knows of the document as it was.
+/// The document before the bake.
 struct Before {
   std::vector<std::vector<int>> users;  ///< per mesh the nodes that use it
   std::vector<bool> isLevel;            ///< per node
@@ -162,7 +154,7 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Co
     asset::setLodInfo(target, report.levels[k]);
     levelMeshes.push_back(written.mesh);
   }
-  // Every reference to the original mesh stays right.
+  // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
   for (std::size_t k = 1; k < levelMeshes.size(); ++k)
@@ -214,7 +206,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   return report;
 }
 
-/// Primitives may share their accessors, and each is read for itself: a small file can ask for any amount of work.
+/// Primitives may share accessors, but each primitive reads them again: a small file could demand any amount of work.
 constexpr std::uint64_t kFreeElements = 1ULL << 20U;
 constexpr std::uint64_t kMaxElementsPerByte = 64;
 

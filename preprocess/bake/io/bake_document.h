@@ -1,4 +1,4 @@
-// Gives every mesh of a document its LOD chain.
+// Bakes a LOD chain for every mesh of a document.
 #pragma once
 
 #include <tiny_gltf.h>

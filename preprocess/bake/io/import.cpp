@@ -1,4 +1,4 @@
-// Picks the reader and builds glTF meshes from triangle lists.
+// Chooses the reader by the file's extension and builds glTF meshes from triangle lists.
 #include "bake/io/import.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int
   return primitive;
 }
 
-/// JSON is UTF-8; whatever else stands in names of files and materials becomes U+FFFD.
+/// JSON is UTF-8: invalid bytes in the names of files and materials become U+FFFD.
 std::string utf8(const std::string& text) {
   using nlohmann::json;
   return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();

@@ -1,4 +1,4 @@
-// Any supported file as a glTF document.
+// Reads any supported file into a glTF document.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -21,9 +21,9 @@ namespace jalousie::bake {
 using ImportObserver =
     std::function<void(std::size_t input, const std::string& name, std::optional<std::span<const std::byte>> bytes)>;
 
-/// Reads .ply, .obj, .gltf or .glb by the file's extension. One glTF input stays as it is; PLY and OBJ files become one
-/// mesh and node each, in the order given, with smooth normals where the file has none. Errors: kUsage (several inputs
-/// of which one is glTF), kUnsupported (another extension), and those of the readers.
+/// Reads .ply, .obj, .gltf or .glb by the file's extension. A single glTF input is returned unchanged; PLY and OBJ
+/// files become one mesh and node each, in the order given, with smooth normals where the file has none. Errors: kUsage
+/// (several inputs of which one is glTF), kUnsupported (another extension), and those of the readers.
 tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits,
                             const ImportObserver& observer = {});
 /// As importFiles for a single file whose bytes are in memory already; other files are sought beside `file`.

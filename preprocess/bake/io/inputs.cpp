@@ -1,4 +1,4 @@
-// Walks folders in sorted order: what a file system lists first must not matter.
+// Finds files and sorts them, so that the order of the file system does not matter.
 #include "bake/io/inputs.h"
 
 #include <fmt/format.h>

@@ -14,14 +14,14 @@ struct InputFile {
 };
 
 /// Files stay; folders give all .ply, .obj, .gltf and .glb files below them; patterns with *, ?, [...] and ** (any
-/// number of folders) the files they match. Sorted by path within each argument, files that come twice only once;
-/// hidden files and links found on the way are passed over, and so is everything in the folders `except`.
+/// number of folders) the files they match. Sorted by path within each argument, duplicates removed. Hidden files,
+/// links and everything in the folders `except` are skipped.
 /// Errors: kFileNotFound (a pattern or folder with no files), kFileUnreadable.
 std::vector<InputFile> findInputs(const std::vector<std::string>& arguments,
                                   const std::vector<std::filesystem::path>& except = {});
 
-/// The files of a list, each as it stands there, be it missing: lists are made by programs. A relative path is its
-/// place.
+/// The files of a list, unchanged and without a check that they exist: lists are made by programs. The `relative` of a
+/// relative path is the path itself.
 std::vector<InputFile> listedInputs(const std::vector<std::string>& files);
 
 /// One path a line. @param file  "-" reads standard input. Errors: those of readFile.

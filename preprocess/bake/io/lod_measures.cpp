@@ -1,4 +1,4 @@
-// Field by field: the simplification room does not know the baked format.
+// Copies field by field, because the simplification does not know the baked format.
 #include "bake/io/lod_measures.h"
 
 namespace jalousie::bake {

@@ -1,5 +1,5 @@
-// tinyobjloader reads "v nan 1 x" as a point at 0 1 0, counts the corners of a face in a byte and makes room for tags
-// of any size; what reaches it has been through here.
+// Checks and rewrites OBJ text before tinyobjloader parses it: the library reads "v nan 1 x" as a point at 0 1 0,
+// counts the corners of a face in a byte and allocates tags of any size.
 #include "bake/io/obj_filter.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ class Filter {
     throw Error(ErrorCode::kMalformed, fmt::format("line {}: {}", line_, reason), file_);
   }
 
-  /// Words up to the end of the line; a backslash before the end joins the next line.
+  /// Splits a line into words; a backslash at the end of the line joins the next line.
   void nextLine(Words& words) {
     words.clear();
     ++line_;
@@ -69,7 +69,7 @@ class Filter {
     if (keyword == "usemtl" || keyword == "mtllib") return names(words);
   }
 
-  /// The keyword with the first `kept` numbers, of which `needed` must be there.
+  /// Writes the keyword and the first `kept` numbers, of which `needed` must be present.
   void numbers(const Words& words, std::size_t needed, std::size_t kept) {
     if (words.size() <= needed) fail(fmt::format("'{}' without {} numbers", words[0], needed));
     out_ += words[0];

@@ -1,4 +1,4 @@
-// The statements of an OBJ file that make up its mesh, checked, for a parser that checks little.
+// Checks the statements of an OBJ file and keeps those that make up its mesh.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace jalousie::bake {
 
-/// Rewrites an OBJ file to `v x y z`, `vn x y z`, `vt u v`, `f` with three corners up to 255, `usemtl` and `mtllib`:
-/// every number is a finite one, every corner has the shape i, i/t, i//n or i/t/n, continued lines are joined, larger
-/// polygons are split into fans, all else (groups, lines, points, subdivision tags, weights, comments) is gone. Errors:
-/// kMalformed (with the line's number), kLimit (names or numbers beyond all use).
+/// Rewrites an OBJ file to `v x y z`, `vn x y z`, `vt u v`, `f` with 3 to 255 corners, `usemtl` and `mtllib`. Every
+/// number is finite, and every corner has the form i, i/t, i//n or i/t/n. Continued lines are joined and larger
+/// polygons are split into fans. Groups, lines, points, subdivision tags, weights and comments are removed. Errors:
+/// kMalformed (with the line's number), kLimit (names or numbers that are too long)
 std::string filteredObj(std::span<const std::byte> bytes, const std::filesystem::path& file);
 
 }  // namespace jalousie::bake

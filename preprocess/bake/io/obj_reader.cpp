@@ -1,4 +1,4 @@
-// tinyobjloader parses; this file confines the MTL lookup and turns its arrays into meshes per material.
+// Parses with tinyobjloader, confines the MTL lookup and builds one mesh per material.
 #include "bake/io/obj_reader.h"
 
 #include <tiny_obj_loader.h>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;  ///< of all material files together
 constexpr std::size_t kMaxMaterials = 10'000;              ///< the library spends two kilobytes on each
 
-/// Hands tinyobjloader the material files of a source.
+/// Passes the material files of a source to tinyobjloader.
 class SourcedMaterials : public tinyobj::MaterialReader {
  public:
   explicit SourcedMaterials(const MaterialSource& source) : source_(source) {}
@@ -37,7 +37,7 @@ class SourcedMaterials : public tinyobj::MaterialReader {
     for (std::size_t at = text.find("newmtl"); at != std::string_view::npos; at = text.find("newmtl", at + 6))
       ++count;
     if (count > kMaxMaterials || bytes_ > kMaxMaterialBytes)
-      throw Error(ErrorCode::kLimit, "the material files hold too much");
+      throw Error(ErrorCode::kLimit, "the material files are too large");
     std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
     tinyobj::LoadMtl(indices, materials, &stream, warning, error);
     return true;
@@ -112,6 +112,39 @@ class PartBuilder {
   bool hasUvs_ = true;
 };
 
+/// The triangles of each material by its index, -1 without material.
+std::map<int, PartBuilder> collectParts(const tinyobj::attrib_t& attributes,
+                                        const std::vector<tinyobj::shape_t>& shapes, std::size_t materials,
+                                        const std::filesystem::path& file) {
+  std::map<int, PartBuilder> parts;
+  for (const tinyobj::shape_t& shape : shapes) {
+    std::size_t first = 0;
+    for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); ++f) {
+      const std::size_t corners = shape.mesh.num_face_vertices[f];
+      if (first + corners > shape.mesh.indices.size()) throw Error(ErrorCode::kMalformed, "a face is incomplete", file);
+      const int given = f < shape.mesh.material_ids.size() ? shape.mesh.material_ids[f] : -1;
+      const int material = given >= 0 && static_cast<std::size_t>(given) < materials ? given : -1;
+      PartBuilder& part = parts.try_emplace(material, attributes, file).first->second;
+      for (std::size_t i = 2; i < corners; ++i)
+        for (const std::size_t k : {std::size_t{0}, i - 1, i})
+          part.addCorner(shape.mesh.indices[first + k]);
+      first += corners;
+    }
+  }
+  return parts;
+}
+
+/// A part without triangles, with name and colour of a material.
+ObjPart partOf(const tinyobj::material_t& material) {
+  ObjPart part;
+  part.material = material.name;
+  part.baseColor = {linearFromSrgb(glm::clamp(material.diffuse[0], 0.0F, 1.0F)),
+                    linearFromSrgb(glm::clamp(material.diffuse[1], 0.0F, 1.0F)),
+                    linearFromSrgb(glm::clamp(material.diffuse[2], 0.0F, 1.0F)),
+                    glm::clamp(material.dissolve, 0.0F, 1.0F)};
+  return part;
+}
+
 }  // namespace
 
 std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
@@ -123,7 +156,7 @@ std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesy
     try {
       content = folder->readFile(name, kMaxMaterialBytes);
     } catch (const Error&) {
-      content.reset();  // told of as absent: once it can be read, the result is another
+      content.reset();  // reported as absent: the result changes once the file can be read
     }
     if (observer) observer(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
     return content;
@@ -140,38 +173,15 @@ std::vector<ObjPart> parseObj(std::span<const std::byte> bytes, const std::files
   std::vector<tinyobj::material_t> materials;
   std::string warning;
   std::string error;
-  // Triangulation by the library indexes vertices before anything is checked, so polygons are split here.
+  // The library triangulates before indices are checked, so polygons are split here.
   if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &materialReader,
                         /*triangulate=*/false))
     throw Error(ErrorCode::kMalformed, error.empty() ? "not a readable OBJ file" : error, file);
 
-  std::map<int, PartBuilder> parts;
-  for (const tinyobj::shape_t& shape : shapes) {
-    std::size_t first = 0;
-    for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); ++f) {
-      const std::size_t corners = shape.mesh.num_face_vertices[f];
-      if (first + corners > shape.mesh.indices.size()) throw Error(ErrorCode::kMalformed, "a face is incomplete", file);
-      const int given = f < shape.mesh.material_ids.size() ? shape.mesh.material_ids[f] : -1;
-      const int material = given >= 0 && static_cast<std::size_t>(given) < materials.size() ? given : -1;
-      PartBuilder& part = parts.try_emplace(material, attributes, file).first->second;
-      for (std::size_t i = 2; i < corners; ++i)
-        for (const std::size_t k : {std::size_t{0}, i - 1, i})
-          part.addCorner(shape.mesh.indices[first + k]);
-      first += corners;
-    }
-  }
   std::vector<ObjPart> result;
-  for (auto& [id, builder] : parts) {
-    ObjPart part;
+  for (auto& [id, builder] : collectParts(attributes, shapes, materials.size(), file)) {
+    ObjPart part = id < 0 ? ObjPart() : partOf(materials[static_cast<std::size_t>(id)]);
     part.mesh = builder.finish();
-    if (id >= 0) {
-      const tinyobj::material_t& material = materials[static_cast<std::size_t>(id)];
-      part.material = material.name;
-      part.baseColor = {linearFromSrgb(glm::clamp(material.diffuse[0], 0.0F, 1.0F)),
-                        linearFromSrgb(glm::clamp(material.diffuse[1], 0.0F, 1.0F)),
-                        linearFromSrgb(glm::clamp(material.diffuse[2], 0.0F, 1.0F)),
-                        glm::clamp(material.dissolve, 0.0F, 1.0F)};
-    }
     if (!part.mesh.indices.empty()) result.push_back(std::move(part));
   }
   if (result.empty() && attributes.vertices.empty())

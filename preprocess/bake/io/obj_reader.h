@@ -1,4 +1,4 @@
-// OBJ through tinyobjloader, from memory, with every index checked again.
+// Reads OBJ files with tinyobjloader, from memory, and checks every index again.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@ struct ObjPart {
   TriangleMesh mesh;
 };
 
-/// Bytes of the material file with this name; nullopt if there is none to be read.
+/// Bytes of the material file with this name; nullopt if it cannot be read.
 using MaterialSource = std::function<std::optional<std::vector<std::byte>>(const std::string& name)>;
 
-/// Reads an OBJ file; the MTL files it names are read only from inside its folder, and materials are left out if they
-/// cannot be. Polygons are triangulated. Errors: kMalformed (parse error, index out of range, NaN), kUnsupported (no
+/// Reads an OBJ file. MTL files are read only from inside its folder; materials that cannot be read are left out.
+/// Polygons are triangulated. Errors: kMalformed (parse error, index out of range, NaN), kUnsupported (no
 /// faces), kLimit.
-/// @param observer  told of the MTL files
+/// @param observer  called for the MTL files
 std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
                              const asset::ReadObserver& observer = {});
 /// As readObj, with another source of materials. @param file  for messages

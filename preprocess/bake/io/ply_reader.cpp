@@ -1,4 +1,4 @@
-// A header parser, one value reader per encoding, and two loops: vertices and faces.
+// Parses the header, reads values in each encoding, and reads the vertices and the faces.
 #include "bake/io/ply_reader.h"
 
 #include <fmt/format.h>
@@ -243,7 +243,7 @@ Header parseHeader(Input& input) {
   return header;
 }
 
-/// Least bytes one element can take: a digit and a space each in ASCII, an empty list in binary.
+/// The least number of bytes of one element: a digit and a space per value in ASCII, empty lists in binary.
 std::uint64_t minBytes(const Element& element, Encoding encoding) {
   std::uint64_t bytes = 0;
   for (const Property& property : element.properties)
@@ -280,7 +280,7 @@ float linearFromSrgb(double value) {
   return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
 }
 
-/// What a vertex property fills: position 0-2, normal 3-5, uv 6-7, colour 8-11; -1 nothing.
+/// Slot that a vertex property fills: position 0-2, normal 3-5, uv 6-7, colour 8-11; -1 if none.
 int slotOf(std::string_view name) {
   constexpr std::array<std::string_view, 12> kNames = {"x", "y", "z",   "nx",    "ny",   "nz",
                                                        "s", "t", "red", "green", "blue", "alpha"};
@@ -360,7 +360,7 @@ void readFaces(Input& input, const Element& element, Encoding encoding, std::vec
   }
 }
 
-/// Normals that are no directions are worse than none.
+/// Whether all normals have a direction; otherwise all are recomputed.
 bool allUnitLike(const std::vector<glm::vec3>& normals) {
   return std::all_of(normals.begin(), normals.end(), [](const glm::vec3& n) { return glm::dot(n, n) > 1e-8F; });
 }

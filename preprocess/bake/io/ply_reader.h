@@ -1,4 +1,4 @@
-// PLY: ASCII, binary little and big endian. Small and strict; every count is checked against the bytes that are there.
+// Reads PLY files: ASCII, binary little and big endian. Every count is checked against the size of the file.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Degenerate and duplicate triangles, found on welded positions.
+// Finds degenerate and duplicate triangles by welded positions.
 #include "bake/mesh/clean.h"
 
 #include <algorithm>
@@ -11,23 +11,36 @@
 
 namespace jalousie::bake {
 
-CleanCounts cleanMesh(CombinedMesh& mesh) {
-  CleanCounts counts;
-  std::vector<bool> isFinite(mesh.positions.size(), true);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    glm::vec3& p = mesh.positions[v];
+namespace {
+
+/// A triangle by its welded corners, the lowest first, and its primitive.
+struct Key {
+  std::array<std::uint32_t, 4> ids;
+  std::uint32_t triangle;
+};
+
+/// Sets positions that are NaN or infinite to zero. @return  for each vertex whether it was finite
+std::vector<bool> zeroNotFinite(std::vector<glm::vec3>& positions) {
+  std::vector<bool> isFinite(positions.size(), true);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    glm::vec3& p = positions[v];
     isFinite[v] = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     if (!isFinite[v]) p = glm::vec3(0.0F);
   }
+  return isFinite;
+}
+
+bool isDegenerate(const CombinedMesh& mesh, const std::uint32_t* corner, const std::array<std::uint32_t, 3>& ids) {
+  const glm::dvec3 normal = faceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
+  return ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0] || normal == glm::dvec3(0.0);
+}
+
+/// Marks triangles that are not finite or have no area. @return  the keys of the others
+std::vector<Key> dropBroken(const CombinedMesh& mesh, const std::vector<bool>& isFinite, std::vector<bool>& dropped,
+                            CleanCounts& counts) {
   const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
-  /// A triangle by its welded corners, the lowest first, and its primitive.
-  struct Key {
-    std::array<std::uint32_t, 4> ids;
-    std::uint32_t triangle;
-  };
   std::vector<Key> keys;
-  keys.reserve(mesh.indices.size() / 3);
-  std::vector<bool> dropped(mesh.indices.size() / 3, false);
+  keys.reserve(dropped.size());
   for (std::uint32_t t = 0; t < dropped.size(); ++t) {
     const std::uint32_t* corner = &mesh.indices[3 * std::size_t{t}];
     if (!isFinite[corner[0]] || !isFinite[corner[1]] || !isFinite[corner[2]]) {
@@ -36,9 +49,7 @@ CleanCounts cleanMesh(CombinedMesh& mesh) {
       continue;
     }
     std::array<std::uint32_t, 3> ids = {welded[corner[0]], welded[corner[1]], welded[corner[2]]};
-    const glm::dvec3 normal =
-        faceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
-    if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0] || normal == glm::dvec3(0.0)) {
+    if (isDegenerate(mesh, corner, ids)) {
       ++counts.degenerate;
       dropped[t] = true;
       continue;
@@ -46,6 +57,11 @@ CleanCounts cleanMesh(CombinedMesh& mesh) {
     std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
     keys.push_back({{ids[0], ids[1], ids[2], mesh.primitiveOf[corner[0]]}, t});
   }
+  return keys;
+}
+
+/// Marks all triangles with one key but the first.
+void dropDuplicates(std::vector<Key> keys, std::vector<bool>& dropped, CleanCounts& counts) {
   std::sort(keys.begin(), keys.end(),
             [](const Key& a, const Key& b) { return a.ids != b.ids ? a.ids < b.ids : a.triangle < b.triangle; });
   for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -53,14 +69,27 @@ CleanCounts cleanMesh(CombinedMesh& mesh) {
     ++counts.duplicate;
     dropped[keys[i].triangle] = true;
   }
+}
+
+void removeTriangles(const std::vector<bool>& dropped, std::vector<std::uint32_t>& indices) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < dropped.size(); ++t) {
     if (dropped[t]) continue;
-    std::copy_n(mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
-                mesh.indices.begin() + static_cast<std::ptrdiff_t>(kept));
+    std::copy_n(indices.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                indices.begin() + static_cast<std::ptrdiff_t>(kept));
     kept += 3;
   }
-  mesh.indices.resize(kept);
+  indices.resize(kept);
+}
+
+}  // namespace
+
+CleanCounts cleanMesh(CombinedMesh& mesh) {
+  CleanCounts counts;
+  const std::vector<bool> isFinite = zeroNotFinite(mesh.positions);
+  std::vector<bool> dropped(mesh.indices.size() / 3, false);
+  dropDuplicates(dropBroken(mesh, isFinite, dropped, counts), dropped, counts);
+  removeTriangles(dropped, mesh.indices);
   return counts;
 }
 

@@ -1,4 +1,4 @@
-// Removal of triangles that have no area, stand twice or lie nowhere.
+// Removes triangles that have no area, are duplicates or have positions that are not finite.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ struct CleanCounts {
   std::uint64_t duplicate = 0;   ///< same primitive, positions and winding as an earlier triangle
 };
 
-/// Drops such triangles from mesh.indices, keeping the order of the rest. Positions that are no number become zero;
-/// then no triangle uses them.
+/// Drops such triangles from mesh.indices and keeps the order of the rest. Positions that are NaN or infinite become
+/// zero; no remaining triangle uses them.
 CleanCounts cleanMesh(CombinedMesh& mesh);
 
 }  // namespace jalousie::bake

@@ -1,4 +1,4 @@
-// All triangle primitives of one glTF mesh as one index buffer, so that they are simplified together and stay joined.
+// All triangle primitives of one glTF mesh in one index buffer: they are simplified together, so no cracks open.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Smooth fans around vertices as unions of corners.
+// Finds the smooth fans around vertices as unions of corners.
 #include "bake/mesh/hard_edges.h"
 
 #include <algorithm>
@@ -16,8 +16,7 @@
 namespace jalousie::bake {
 namespace {
 
-/// Every primitive has a NORMAL, so that all corners can take one. Old values are forgotten: vertices that differed in
-/// nothing else become equal.
+/// Gives every primitive a NORMAL and sets all normals to zero: vertices that differed only there become equal.
 void clearNormals(CombinedMesh& mesh) {
   for (PrimitiveData& primitive : mesh.primitives) {
     auto found = std::find_if(primitive.attributes.begin(), primitive.attributes.end(),
@@ -78,7 +77,7 @@ void rebuildNormals(CombinedMesh& mesh, double degrees) {
   for (std::uint32_t c = 0; c < fanOf.size(); ++c)
     sums[fanOf[c]] += angleAt(wedges, c) * normalOfFace(wedges, c);
 
-  // One wedge for each fan and each set of other attributes in it.
+  // Make one wedge for each fan and each set of other attributes in the fan.
   WedgeMesh result = wedges;
   result.vertexOf.clear();
   result.primitiveOf.clear();

@@ -1,6 +1,7 @@
 // Unites the vertices of each face, then sorts faces into their parts.
 #include "bake/mesh/loose_parts.h"
 
+#include "bake/mesh/normals.h"
 #include "bake/mesh/union_find.h"
 #include "core/aabb.h"
 
@@ -28,8 +29,7 @@ LooseParts findLooseParts(const WedgeMesh& mesh) {
     const glm::vec3& a = mesh.positions[mesh.vertexAt(3 * std::size_t{f})];
     const glm::vec3& b = mesh.positions[mesh.vertexAt(3 * std::size_t{f} + 1)];
     const glm::vec3& c = mesh.positions[mesh.vertexAt(3 * std::size_t{f} + 2)];
-    result.parts[part].area +=
-        0.5 * glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
+    result.parts[part].area += triangleArea(a, b, c);
     ++result.parts[part].faceCount;
     for (const glm::vec3& p : {a, b, c})
       boxes[part].add(p);

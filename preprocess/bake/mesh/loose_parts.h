@@ -1,4 +1,4 @@
-// Parts of a mesh that share no vertex.
+// Finds the parts of a mesh that share no vertex.
 #pragma once
 
 #include <cstdint>

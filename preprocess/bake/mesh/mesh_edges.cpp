@@ -1,4 +1,4 @@
-// Sorting of half-edges and comparison of the wedges on their two sides.
+// Sorts half-edges and compares the wedges on their two sides.
 #include "bake/mesh/mesh_edges.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool normalsOnlyDiffer(const WedgeMesh& mesh, std::uint32_t w1, std::uint32_t w2
   return true;
 }
 
-/// Two triangles, run through in opposite directions: corner c runs a -> b, corner d runs b -> a.
+/// The kind of an edge with two uses: corner c runs a -> b, corner d runs b -> a.
 EdgeKind kindOfPair(const WedgeMesh& mesh, std::uint32_t c, std::uint32_t d) {
   const std::uint32_t a1 = mesh.corners[c];
   const std::uint32_t b1 = mesh.corners[nextCorner(c)];
@@ -37,7 +37,7 @@ EdgeKind kindOfPair(const WedgeMesh& mesh, std::uint32_t c, std::uint32_t d) {
 }  // namespace
 
 EdgeTable findEdges(const WedgeMesh& mesh) {
-  // Counted into buckets by their lower vertex; a bucket holds a handful and is sorted by itself.
+  // Bucket sort by the lower vertex, then sort each bucket: a bucket holds a few edges.
   std::vector<std::uint32_t> start(mesh.positions.size() + 1, 0);
   for (std::uint32_t c = 0; c < mesh.corners.size(); ++c)
     ++start[std::min(mesh.vertexAt(c), mesh.vertexAt(nextCorner(c))) + 1];

@@ -1,4 +1,4 @@
-// The edges of a wedge mesh and what kind each one is.
+// The edges of a wedge mesh and their kinds.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace jalousie::bake {
 enum class EdgeKind : std::uint8_t {
   kSmooth,       ///< two triangles that share both wedges
   kBorder,       ///< one triangle
-  kNonManifold,  ///< three and more, or two that run the same way
+  kNonManifold,  ///< three or more triangles, or two that run along it in the same direction
   kMaterial,     ///< between two primitives
   kSeam,         ///< texture coordinates, colours or tangents differ
   kHard          ///< only normals differ
@@ -26,7 +26,7 @@ struct MeshEdge {
   EdgeKind kind = EdgeKind::kSmooth;
 };
 
-/// All edges in ascending order of (a, b); uses are corners c: the edge runs from corner c to the next of its triangle.
+/// All edges in ascending order of (a, b). A use is a corner c whose triangle has the edge from c to its next corner.
 struct EdgeTable {
   std::vector<MeshEdge> edges;
   std::vector<std::uint32_t> uses;

@@ -13,6 +13,10 @@ glm::dvec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
   return length > 0.0 ? cross / length : glm::dvec3(0.0);
 }
 
+double triangleArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return 0.5 * glm::length(glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)));
+}
+
 std::vector<glm::vec3> smoothNormals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
   const std::vector<std::uint32_t> ids = weldByPosition(positions);
   std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0.0));

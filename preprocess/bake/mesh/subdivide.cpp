@@ -1,4 +1,4 @@
-// OpenMesh for topology and Loop's scheme. Its messages about complex edges are counted instead of printed.
+// Uses OpenMesh for the topology and Loop's scheme. Rejected faces are counted; OpenMesh's messages are suppressed.
 #include "bake/mesh/subdivide.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ struct Traits : OpenMesh::DefaultTraits {
 };
 using TopologyMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// Silences OpenMesh while it lives.
+/// Suppresses the messages of OpenMesh during its lifetime.
 class Quiet {
  public:
   Quiet() {
@@ -52,7 +52,7 @@ TopologyMesh makeTopology(const CombinedMesh& mesh) {
     throw Error(
         ErrorCode::kUnsupported,
         fmt::format(
-            "--subdivide needs a manifold mesh; {} of {} faces are not: repair the mesh or leave the option out",
+            "--subdivide needs a manifold mesh; {} of {} faces are not manifold: repair the mesh or omit the option",
             rejected, mesh.indices.size() / 3));
   return topology;
 }
@@ -64,8 +64,7 @@ void subdivideMesh(CombinedMesh& mesh, std::uint32_t steps) {
   if (mesh.primitives.size() != 1) throw Error(ErrorCode::kUnsupported, "--subdivide needs a mesh of one primitive");
   for (const Attribute& attribute : mesh.primitives[0].attributes)
     if (attribute.name != "POSITION" && attribute.name != "NORMAL")
-      throw Error(ErrorCode::kUnsupported,
-                  "--subdivide cannot carry " + attribute.name + " over; leave the option out");
+      throw Error(ErrorCode::kUnsupported, "--subdivide cannot interpolate " + attribute.name + "; omit the option");
   if (mesh.indices.size() / 3 > (1ULL << 26U) >> (2 * steps))
     throw Error(ErrorCode::kLimit, "--subdivide would make more than 67 million triangles");
 

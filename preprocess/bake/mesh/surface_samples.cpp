@@ -1,4 +1,4 @@
-// Area-proportional sampling and interpolation.
+// Samples in proportion to area and interpolates with barycentric weights.
 #include "bake/mesh/surface_samples.h"
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 namespace jalousie::bake {
 namespace {
 
-/// Fractional part of k times the plastic-number constants: an evenly spread sequence in the unit square (Roberts
-/// 2018).
+/// Fractional parts of k times two constants of the plastic number: an even sequence in the unit square (Roberts 2018).
 glm::dvec2 spread(std::uint64_t k) {
   const double x = 0.5 + 0.7548776662466927 * static_cast<double>(k);
   const double y = 0.5 + 0.5698402909980532 * static_cast<double>(k);
@@ -18,10 +17,9 @@ glm::dvec2 spread(std::uint64_t k) {
 }
 
 double areaOf(const WedgeMesh& mesh, std::uint32_t t) {
-  const glm::dvec3 a(mesh.positions[mesh.vertexAt(3 * std::size_t{t})]);
-  const glm::dvec3 b(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 1)]);
-  const glm::dvec3 c(mesh.positions[mesh.vertexAt(3 * std::size_t{t} + 2)]);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
+  const std::size_t first = 3 * std::size_t{t};
+  return triangleArea(mesh.positions[mesh.vertexAt(first)], mesh.positions[mesh.vertexAt(first + 1)],
+                      mesh.positions[mesh.vertexAt(first + 2)]);
 }
 
 }  // namespace

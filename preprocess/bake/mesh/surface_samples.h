@@ -1,4 +1,4 @@
-// Points spread evenly over a surface, and what the surface is like there.
+// Spreads points evenly over a surface and interpolates positions and normals there.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ std::vector<SurfaceSample> sampleSurface(const WedgeMesh& mesh, std::size_t coun
 
 /// Object-space position.
 glm::vec3 positionAt(const WedgeMesh& mesh, std::uint32_t triangle, const glm::dvec3& barycentric);
-/// Unit shading normal: interpolated NORMAL, the triangle's own where there is none or it vanishes.
+/// Unit shading normal: the interpolated NORMAL, or the face normal if there is no NORMAL or it vanishes.
 glm::dvec3 shadingNormalAt(const WedgeMesh& mesh, const AttributeSlot* normals, std::uint32_t triangle,
                            const glm::dvec3& barycentric);
 

@@ -1,4 +1,4 @@
-// Median-split hierarchy with an iterative nearest-point search, four boxes or triangles at a time.
+// Builds the hierarchy by median splits and searches it iteratively, four boxes or triangles at a time.
 #include "bake/mesh/triangle_bvh.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ std::size_t TriangleBvh::split(std::span<Item> items) {
   const glm::vec3 extent = high - low;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   const std::size_t half = (items.size() / 2 + 3) / 4 * 4;  // whole packets on one side
-  // Ties fall to the lower index, so the tree does not depend on the library's partition.
+  // Ties are broken by the lower index, so the tree does not depend on the library's partition.
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                    [axis](const Item& a, const Item& b) {
                      return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
@@ -190,7 +190,7 @@ TriangleBvh::Float4 TriangleBvh::packetDistances(const Packet& packet, const glm
   const Vec4 ac = minus4(packet.c, packet.a);
   const Vec4 bc = minus4(packet.c, packet.b);
   const Float4 edges = smaller(smaller(segmentDistances(a, ab), segmentDistances(b, bc)), segmentDistances(a, ac));
-  // Where the point lies over the triangle the plane is nearest. Slivers are all edge.
+  // If the point projects into the triangle, the plane is nearest. Slivers are measured by their edges.
   const Float4 d00 = dot4(ab, ab);
   const Float4 d01 = dot4(ab, ac);
   const Float4 d11 = dot4(ac, ac);
@@ -206,51 +206,52 @@ TriangleBvh::Float4 TriangleBvh::packetDistances(const Packet& packet, const glm
   return inside ? smaller(plane, edges) : edges;
 }
 
+inline void TriangleBvh::searchPacket(const Packet& packet, const glm::vec3& point, Search& search) {
+  const Float4 distances = packetDistances(packet, point);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!(distances[k] < search.best)) continue;
+    search.best = distances[k];
+    search.triangle = packet.id[k];
+  }
+}
+
+inline void TriangleBvh::pushChildren(const Node& node, const Vec4& p, Search& search) {
+  const Float4 zero = all(0.0F);
+  const Float4 dx = larger(larger(node.min.x - p.x, p.x - node.max.x), zero);
+  const Float4 dy = larger(larger(node.min.y - p.y, p.y - node.max.y), zero);
+  const Float4 dz = larger(larger(node.min.z - p.z, p.z - node.max.z), zero);
+  const Float4 distances = (dx * dx + dy * dy + dz * dz) * 0.99999F;
+  const std::size_t first = search.size;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!(distances[k] <= search.best) || distances[k] == kInfinity) continue;
+    // Insertion keeps the nearest child on top.
+    std::size_t at = search.size++;
+    for (; at > first && search.stack[at - 1].distance2 < distances[k]; --at)
+      search.stack[at] = search.stack[at - 1];
+    search.stack[at] = {node.child[k], distances[k]};
+  }
+}
+
 NearestPoint TriangleBvh::nearest(const glm::vec3& point, std::uint32_t seed) const {
-  std::uint32_t triangle = seed;
-  float best = kInfinity;
+  Search search;
+  search.triangle = seed;
   if (seed != kNoSeed) {
     const Corners& t = triangles_[seed];
-    best = static_cast<float>(nearestOnTriangle(point, t.a, t.b, t.c).distance2) * 1.00001F;
+    search.best = static_cast<float>(nearestOnTriangle(point, t.a, t.b, t.c).distance2) * 1.00001F;
   }
-  struct Entry {
-    std::uint32_t node;
-    float distance2;
-  };
-  std::array<Entry, 96> stack;  // at most three siblings wait on each of log4(2^31) levels
-  std::size_t size = 0;
-  stack[size++] = {root_, 0.0F};
+  search.stack[search.size++] = {root_, 0.0F};
   const Vec4 p = {all(point.x), all(point.y), all(point.z)};
-  while (size > 0) {
-    const Entry entry = stack[--size];
-    if (entry.distance2 > best) continue;
+  while (search.size > 0) {
+    const Search::Entry entry = search.stack[--search.size];
+    if (entry.distance2 > search.best) continue;
     if ((entry.node & kLeaf) != 0) {
-      const Packet& packet = packets_[entry.node & ~kLeaf];
-      const Float4 distances = packetDistances(packet, point);
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (!(distances[k] < best)) continue;
-        best = distances[k];
-        triangle = packet.id[k];
-      }
-      continue;
-    }
-    const Node& node = nodes_[entry.node];
-    const Float4 zero = all(0.0F);
-    const Float4 dx = larger(larger(node.min.x - p.x, p.x - node.max.x), zero);
-    const Float4 dy = larger(larger(node.min.y - p.y, p.y - node.max.y), zero);
-    const Float4 dz = larger(larger(node.min.z - p.z, p.z - node.max.z), zero);
-    const Float4 distances = (dx * dx + dy * dy + dz * dz) * 0.99999F;
-    const std::size_t first = size;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!(distances[k] <= best) || distances[k] == kInfinity) continue;
-      // Insertion keeps the nearest on top.
-      std::size_t at = size++;
-      for (; at > first && stack[at - 1].distance2 < distances[k]; --at)
-        stack[at] = stack[at - 1];
-      stack[at] = {node.child[k], distances[k]};
+      searchPacket(packets_[entry.node & ~kLeaf], point, search);
+    } else {
+      pushChildren(nodes_[entry.node], p, search);
     }
   }
-  if (triangle == kNoSeed) triangle = 0;  // distances overflowed: any triangle is as good
+  // If all distances overflowed, any triangle will do.
+  const std::uint32_t triangle = search.triangle == kNoSeed ? 0 : search.triangle;
   const Corners& t = triangles_[triangle];
   NearestPoint result = nearestOnTriangle(point, t.a, t.b, t.c);
   result.triangle = triangle;

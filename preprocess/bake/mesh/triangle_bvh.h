@@ -1,6 +1,8 @@
-// Nearest points on a triangle mesh, through a bounding volume hierarchy.
+// Finds nearest points on a triangle mesh with a bounding volume hierarchy.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -22,8 +24,8 @@ NearestPoint nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const g
 /// Squared distance from p to triangle abc.
 double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// Hierarchy of four children a node over packets of four triangles, both tested at once with vector instructions;
-/// split at the median of the widest axis. Build O(n log n), deterministic.
+/// Hierarchy with four children per node over packets of four triangles. Vector instructions test four boxes or four
+/// triangles at once. Nodes are split at the median of the widest axis. Build O(n log n), deterministic.
 class TriangleBvh {
  public:
   static constexpr std::uint32_t kNoSeed = ~0U;
@@ -32,8 +34,8 @@ class TriangleBvh {
   TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
   /// Nearest point of the mesh. Candidates are compared in single precision, relative to the point; the result is
-  /// computed in double. @param seed  a triangle that is probably near: the search starts with its distance
-  /// Safe to call from several threads.
+  /// computed in double. Safe to call from several threads.
+  /// @param seed  a triangle that is probably near: the search starts with its distance
   NearestPoint nearest(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
   /// Distance to the nearest point of the mesh, object-space length.
   double distance(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
@@ -66,11 +68,25 @@ class TriangleBvh {
     glm::vec3 min, max;
   };
   static constexpr std::uint32_t kLeaf = 1U << 31U;
+  /// State of one search: the best triangle so far and the nodes that wait.
+  struct Search {
+    struct Entry {
+      std::uint32_t node;
+      float distance2;
+    };
+    std::array<Entry, 96> stack;  ///< at most three siblings wait on each of log4(2^31) levels
+    std::size_t size = 0;
+    float best = std::numeric_limits<float>::infinity();  ///< squared distance
+    std::uint32_t triangle = kNoSeed;
+  };
 
   std::uint32_t build(std::span<Item> items, Box& box);
   static std::size_t split(std::span<Item> items);
   std::uint32_t makePacket(std::span<const Item> items, Box& box);
   static Float4 packetDistances(const Packet& packet, const glm::vec3& p);
+  static void searchPacket(const Packet& packet, const glm::vec3& point, Search& search);
+  /// Pushes the children of a node that may hold a nearer triangle, the nearest last.
+  static void pushChildren(const Node& node, const Vec4& point, Search& search);
 
   std::uint32_t root_ = 0;
   std::vector<Node> nodes_;

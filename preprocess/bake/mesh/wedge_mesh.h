@@ -1,4 +1,4 @@
-// A mesh with its topology on welded positions and its attributes on wedges: the form in which levels are made.
+// The mesh that is simplified: topology on welded positions, attributes on wedges.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct AttributeSlot {
   AttributeKind kind = AttributeKind::kOther;
 };
 
-/// Triangles whose corners are wedges: a wedge is one vertex with one set of attributes in one primitive, so that a
-/// texture seam, a hard edge or the border between two materials has several wedges at one vertex and stays closed.
+/// Triangles whose corners are wedges. A wedge is one vertex with one set of attributes in one primitive. A texture
+/// seam, a hard edge or the border between two materials has several wedges at one vertex, so it stays closed.
 struct WedgeMesh {
   std::vector<AttributeSlot> slots;        ///< union over all primitives, POSITION excluded
   std::uint32_t stride = 0;                ///< floats per wedge
@@ -28,7 +28,7 @@ struct WedgeMesh {
   std::vector<std::uint32_t> primitiveOf;  ///< [W]
   std::vector<float> attributes;           ///< [W * stride]; zeros where a primitive lacks the attribute
   std::vector<std::uint32_t> corners;      ///< [3 F] wedges
-  std::vector<std::uint32_t> sourceWedge;  ///< [W] the wedge of the finest mesh it came from
+  std::vector<std::uint32_t> sourceWedge;  ///< [W] its wedge in the finest mesh
 
   std::uint32_t triangles() const { return static_cast<std::uint32_t>(corners.size() / 3); }
   /// Vertex of corner c.

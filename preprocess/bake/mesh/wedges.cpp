@@ -93,7 +93,7 @@ WedgeMesh makeWedges(const CombinedMesh& source) {
 
 namespace {
 
-/// Turns the tangents of a primitive into the plane of their normals.
+/// Makes the tangents of a primitive perpendicular to their normals.
 void straightenTangents(PrimitiveData& data) {
   const auto find = [&](const char* name, std::uint32_t components) -> Attribute* {
     for (Attribute& attribute : data.attributes)
@@ -108,7 +108,7 @@ void straightenTangents(PrimitiveData& data) {
     float* value = &tangents->values[4 * v];
     glm::dvec3 t(value[0], value[1], value[2]);
     const double along = glm::dot(n, t);
-    if (std::abs(along) < 1e-3) continue;  // as good as float input gets; it keeps its bits
+    if (std::abs(along) < 1e-3) continue;  // within the precision of float input; the bits are kept
     t -= along * n;
     if (glm::length(t) < 1e-6) t = glm::cross(n, std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     t = glm::normalize(t);

@@ -1,4 +1,4 @@
-// Makes the jobs, runs them, tells about them.
+// Makes the jobs, runs them and prints or writes reports.
 #include "bake/pipeline/bake_command.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ std::vector<BakeJob> singleJob(const CommandLine& command, const std::vector<std
     return std::any_of(inputs.begin(), inputs.end(), [&](const InputFile& input) { return input.path == argument; });
   });
   if (!namedEach)
-    throw Error(ErrorCode::kUsage, fmt::format("{} is one file; to bake each input on its own, name a folder: -o {}/",
+    throw Error(ErrorCode::kUsage, fmt::format("{} is one file; to bake each input separately, name a folder: -o {}/",
                                                command.output.string(), command.output.string()));
   BakeJob job;
   for (const InputFile& input : inputs)
@@ -101,8 +101,8 @@ std::string batchJson(const std::vector<BakeJob>& jobs, const BatchOutcome& outc
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// A rule for each output, also of inputs that failed: what is there from an earlier run depends on them. Interrupted
-/// runs leave the old file, which knows more.
+/// Writes a rule for each output, also if its input failed: the output of an earlier run depends on that input. An
+/// interrupted run keeps the old depfile, which is more complete.
 void writeDepfile(const CommandLine& command, const std::vector<BakeJob>& jobs, const BatchOutcome& outcome) {
   if (command.depfile.empty() || outcome.interrupted) return;
   std::string text;

@@ -1,4 +1,4 @@
-// jalousie-bake from options to exit code.
+// Runs jalousie-bake, from options to exit code.
 #pragma once
 
 #include "bake/pipeline/command_line.h"
@@ -8,7 +8,7 @@ namespace jalousie::bake {
 /// Exit code of a run that SIGINT, SIGTERM or SIGHUP ended.
 inline constexpr int kInterrupted = 130;
 
-/// Bakes one file or a batch, and writes what was asked for beside it. Failures of single files are printed.
+/// Bakes one file or a batch and writes reports, sheets and depfile. Failures of single files are printed.
 /// @return  the exit code: 0; of the file that failed, or kSomeFailed for a batch; kInterrupted. Errors: those that
 /// concern the whole run: kUsage, kFileNotFound (a folder or pattern without files), kWriteFailed (report, depfile).
 int runBake(const CommandLine& command);

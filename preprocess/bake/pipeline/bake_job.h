@@ -18,22 +18,22 @@ struct BakeJob {
   std::filesystem::path sheet;  ///< empty: none
 };
 
-/// What every job of a run is done with.
+/// Settings that all jobs of a run share.
 struct JobSettings {
   BakeOptions bake;
   bool quantize = false;
   bool compress = false;
   bool makeFolders = false;     ///< make the output's folder if it is not there
   std::filesystem::path cache;  ///< folder; empty: none
-  std::string identity;         ///< of program and options; what a cached result depends on besides the inputs
+  std::string identity;         ///< of program and options; part of the cache key
 };
 
 enum class JobStatus : std::uint8_t {
   kBaked,
   kCached,     ///< the output comes from the cache
-  kUnchanged,  ///< and was there already with the same bytes; only its time is new
+  kUnchanged,  ///< the output comes from the cache and existed with the same bytes; only its time was set
   kFailed,
-  kNotStarted,  ///< the run was interrupted before
+  kNotStarted,  ///< the run was interrupted before the job was done
 };
 
 /// "baked", "cached", "unchanged", "failed", "not-started".
@@ -53,7 +53,7 @@ struct JobFailure {
   std::string message;  ///< one line that names the file
 };
 
-/// A file that was read, or looked for in vain, on the way to a document.
+/// A file that was read, or that was sought and does not exist.
 struct ReadFile {
   std::size_t input = 0;              ///< index of the input it belongs to
   std::string name;                   ///< relative to that input's folder; empty for the input itself

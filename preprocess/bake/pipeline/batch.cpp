@@ -1,4 +1,4 @@
-// One loop: start workers, wait for what they say or for a signal, collect.
+// One loop: starts workers, waits for their messages or a signal, and collects results.
 #include "bake/pipeline/batch.h"
 
 #include <fmt/format.h>
@@ -28,8 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kMaxJobs = 256;
 
-/// SIGINT, SIGTERM and SIGHUP as something to read, unless they are ignored, as nohup wants it; what was set before
-/// comes back at the end.
+/// Delivers SIGINT, SIGTERM and SIGHUP through a descriptor. Ignored signals stay ignored, as nohup needs it. The
+/// destructor restores the signal mask.
 class Interruptions {
  public:
   Interruptions() {
@@ -39,7 +39,7 @@ class Interruptions {
       struct sigaction action = {};
       if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
     }
-    ::signal(SIGCHLD, SIG_DFL);  // ignored, it would take the exit codes of workers away
+    ::signal(SIGCHLD, SIG_DFL);  // if it were ignored, the exit codes of workers would be lost
     ::sigprocmask(SIG_BLOCK, &signals, &before_);
     descriptor_ = Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
     if (!descriptor_.valid()) throw Error(ErrorCode::kInternal, std::strerror(errno));
@@ -76,7 +76,7 @@ std::string durationText(double seconds) {
   return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
-/// The memory that a container or a scheduler leaves us; all there is if nobody says.
+/// The memory limit of the control group; the largest number if there is none.
 std::uint64_t controlGroupMemory() {
   for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     std::uint64_t bytes = 0;
@@ -113,7 +113,7 @@ class Batch {
       startWorkers();
       wait();
     }
-    running_.clear();  // kills what an interruption left running
+    running_.clear();  // kills workers that still run after an interruption
     if (outcome_.interrupted)
       for (const fs::path& folder : outputFolders())
         removeAbandonedFiles(folder);
@@ -148,7 +148,7 @@ class Batch {
         running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits_), Clock::now()});
       } catch (const Error&) {
         if (running_.empty()) throw;
-        return;  // no more processes or pipes to be had; those that run will give theirs back
+        return;  // out of processes or pipes; try again when a running worker has ended
       }
       ++next_;
     }

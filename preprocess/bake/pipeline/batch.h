@@ -1,4 +1,4 @@
-// Many bakes at once, each in a process of its own.
+// Runs many bakes in parallel, each in a process of its own.
 #pragma once
 
 #include <chrono>
@@ -16,10 +16,10 @@ struct BatchOptions {
   std::optional<std::uint64_t> maxMemoryBytes;  ///< of one worker, 0 for no limit; absent: the machine's, shared fairly
   std::chrono::milliseconds timeout{0};         ///< of one job; 0: none
   bool quiet = false;
-  bool lines = false;  ///< a line on standard error for each finished job where no progress can be drawn
+  bool lines = false;  ///< print a line on standard error for each finished job if no progress can be drawn
 };
 
-/// What became of one job: `result.status` says whether `failure` is set.
+/// The outcome of one job. `failure` is set if `result.status` is kFailed.
 struct JobOutcome {
   JobResult result;
   std::optional<JobFailure> failure;
@@ -27,11 +27,11 @@ struct JobOutcome {
 
 struct BatchOutcome {
   std::vector<JobOutcome> jobs;  ///< in the order given
-  bool interrupted = false;      ///< by SIGINT, SIGTERM or SIGHUP; what was running is not started in `jobs`
+  bool interrupted = false;      ///< by SIGINT, SIGTERM or SIGHUP; jobs that were running then count as not started
 };
 
-/// Runs all jobs, failures included. Their lines go to standard error as they happen. To be called from a process with
-/// one thread.
+/// Runs all jobs; a failure does not stop the others. Messages go to standard error as they arrive.
+/// @pre the process has one thread
 BatchOutcome runBatch(std::span<const BakeJob> jobs, const JobSettings& settings, const BatchOptions& options);
 
 }  // namespace jalousie::bake

@@ -1,4 +1,4 @@
-// Linkers sign what they link with a build ID; a library without one is hashed.
+// Reads the build IDs that linkers write; a library without a build ID is hashed.
 #include "bake/pipeline/build_identity.h"
 
 #include <elf.h>
@@ -43,7 +43,7 @@ std::string buildId(const dl_phdr_info& object) {
 
 int visit(dl_phdr_info* object, std::size_t, void* user) {
   const std::string_view name = object->dlpi_name;
-  if (name.find("linux-vdso") != std::string_view::npos) return 0;  // the kernel's, without any of our arithmetic
+  if (name.find("linux-vdso") != std::string_view::npos) return 0;  // part of the kernel; it does no arithmetic of ours
   std::string id = buildId(*object);
   if (id.empty()) {
     try {
@@ -59,7 +59,7 @@ int visit(dl_phdr_info* object, std::size_t, void* user) {
 }  // namespace
 
 std::string buildIdentity() {
-  std::set<std::string> ids;  // ordered: where libraries lie in memory says nothing
+  std::set<std::string> ids;  // ordered: the order in memory is arbitrary
   ::dl_iterate_phdr(visit, &ids);
   std::string text = kVersion;
   for (const std::string& id : ids)

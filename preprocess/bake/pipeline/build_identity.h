@@ -1,4 +1,4 @@
-// Which program this is, down to the machine code.
+// Identifies the program down to the machine code.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace jalousie::bake {
 
 inline constexpr const char* kVersion = "0.1.0";
 
-/// Changes whenever the program or a shared library it has loaded is built from other code: two runs with the same
+/// A text that changes if the program or a loaded shared library is built from other code. Two runs with the same
 /// identity, options and input bytes give the same output.
 std::string buildIdentity();
 

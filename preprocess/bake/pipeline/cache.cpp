@@ -1,4 +1,4 @@
-// Lookups trust nothing but hashes.
+// Looks entries up and verifies every file by its hash.
 #include "bake/pipeline/cache.h"
 
 #include <fcntl.h>
@@ -26,7 +26,7 @@ constexpr int kFormat = 1;
 constexpr std::uint64_t kMaxEntryBytes = 64ULL << 20U;
 constexpr std::uint64_t kMaxObjectBytes = 16ULL << 30U;
 
-/// Paths of a document may be any bytes, JSON only UTF-8: nullopt for what cannot be written down.
+/// The JSON of an entry; nullopt if a path is not UTF-8.
 std::optional<std::string> entryText(const std::vector<ReadFile>& read, const CacheEntry& entry) {
   json document = {{"format", kFormat}, {"output", sha256(entry.output)}, {"sheet", nullptr}};
   if (!entry.sheet.empty()) document["sheet"] = sha256(entry.sheet);
@@ -56,7 +56,7 @@ std::vector<ReadFile> readList(const json& document) {
   return read;
 }
 
-/// Whether every side file still is what it was. Names are followed as confined as when they were first read.
+/// Whether every side file still has its old content. Names are resolved within the input's folder, as in the bake.
 bool stillHolds(const std::vector<ReadFile>& read, const BakeJob& job, const asset::Limits& limits) {
   for (const ReadFile& file : read) {
     if (file.name.empty()) continue;  // inputs are part of the key
@@ -81,7 +81,7 @@ Cache::Cache(fs::path folder, std::string identity) : folder_(std::move(folder))
 fs::path Cache::entryFolder(const BakeJob& job, const std::vector<ReadFile>& inputs) const {
   std::string text = identity_ + "\n";
   for (std::size_t i = 0; i < job.inputs.size(); ++i) {
-    // The names of meshes follow from the names of files; glTF brings its own.
+    // PLY and OBJ files name their meshes by the file's name; glTF files contain the names.
     const std::string name = isGltf(job.inputs[i]) ? std::string("glTF") : job.inputs[i].filename().string();
     text += fmt::format("{}:{} {}\n", name.size(), name, inputs[i].sha256.value_or(""));
   }
@@ -155,7 +155,7 @@ void Cache::store(const BakeJob& job, const std::vector<ReadFile>& read, const C
     storeObject(sha256(entry.output), entry.output);
     if (!entry.sheet.empty()) storeObject(sha256(entry.sheet), entry.sheet);
     fs::create_directories(folder);
-    writeFileAtomic(folder / (sha256(*text) + ".json"), *text);  // last: it vouches for the objects
+    writeFileAtomic(folder / (sha256(*text) + ".json"), *text);  // last, so that an entry never names missing objects
   } catch (const fs::filesystem_error& error) {
     throw Error(ErrorCode::kWriteFailed, "cannot write to the cache: " + error.code().message(), folder_);
   }

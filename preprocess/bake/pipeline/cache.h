@@ -1,4 +1,4 @@
-// Results of earlier bakes, found by what they were made of.
+// Cache of baked results, addressed by the content of the inputs and the options.
 //
 // DIR/entries/KK/KEY/VARIANT.json   KEY: SHA-256 of the identity, and names and bytes of the inputs. There is one
 //                                   variant for each set of side files (buffers, images, materials) read with them:
@@ -6,8 +6,8 @@
 //    "output": "SHA-256", "sheet": "SHA-256" or null, "report": "...", "table": "..."}
 // DIR/objects/HH/SHA-256            outputs and sheets
 //
-// Every file is written once, whole, under a name that follows from its content: any number of processes, on any number
-// of machines, may share a folder. What does not hold what its name says is not used.
+// Every file is written once and atomically, under a name that is a hash of its content, so any number of processes on
+// any number of machines may share a folder. A file whose content does not match its name is not used.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ class Cache {
   Cache(std::filesystem::path folder, std::string identity);
 
   /// The result of an earlier bake of a job. Inputs are hashed, not parsed. @param read  gets the files it was made of
-  /// Errors: those of readFile for the inputs; a damaged or missing cache is merely a miss.
+  /// Errors: those of readFile for the inputs. A damaged or missing cache is a miss.
   std::optional<CacheEntry> find(const BakeJob& job, const asset::Limits& limits, std::vector<ReadFile>& read) const;
   /// Errors: kWriteFailed.
   void store(const BakeJob& job, const std::vector<ReadFile>& read, const CacheEntry& entry) const;
@@ -49,8 +49,8 @@ class Cache {
   std::string identity_;
 };
 
-/// Removes the files that were not used for longest until the folder holds at most maxBytes. Never throws: a cache that
-/// cannot be trimmed is only larger.
+/// Removes the least recently used files until the folder holds at most maxBytes. Never throws: if the cache cannot be
+/// trimmed, it stays larger.
 void trimCache(const std::filesystem::path& folder, std::uint64_t maxBytes) noexcept;
 
 }  // namespace jalousie::bake

@@ -19,45 +19,45 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   jalousie-bake bunny.ply -o bunny.glb
-      ten levels, each with half the triangles of the one before
+      bake ten levels, each with half the triangles of the level before
   jalousie-bake bunny.ply -o bunny.glb --subdivide 2 --coarsest 98
-      the thesis' asset: 58,784 triangles down to 98
+      bake the asset of the thesis: from 58,784 triangles down to 98
   jalousie-bake dragon.ply -o dragon.glb --preset fast --ratios 0.25,0.05 --sheet dragon.html
-      two levels at 25 and 5 % of the triangles, and a page that shows them
+      bake two levels with 25 and 5 % of the triangles, and a page that shows them
   jalousie-bake inspect dragon.glb
-      the chain of any glTF file
+      print the LOD chain of any glTF file
   jalousie-bake city.gltf -o city.glb --levels 6 --ratio 0.4 --json report.json
-      every mesh of a scene; hierarchy, materials and textures stay
+      bake every mesh of a scene; hierarchy, materials and textures are kept
   jalousie-bake models 'extra/**/*.obj' -o baked/ --cache ~/.cache/jalousie --json baked.json
-      every file below models and extra into the folder baked; unchanged ones are not baked again
+      bake every file below models and extra into the folder baked; unchanged files are taken from the cache
   jalousie-bake chair.gltf -o chair.glb --depfile chair.d
-      for Make and Ninja: chair.d names every buffer and image that chair.glb depends on
+      write a rule for Make and Ninja: chair.d names every buffer and image that chair.glb depends on
 
-The output is standard glTF 2.0 with MSFT_lod; each level's mesh carries triangles, vertices and the measured
+The output is glTF 2.0 with MSFT_lod. The mesh of each level stores its triangles, its vertices and the measured
 deviation from LOD 0 (object units) in extras.jalousie.
 
 Exit codes: 0 done, 2 command line, 3 file not found, 4 cannot be read, 5 malformed, 6 not supported, 7 over a limit,
 8 cannot be written, 11 some files of a batch failed, 70 a defect, 130 interrupted. A failure is one line on standard
-error; what was there before is intact.)";
+error; an output file that existed before is then unchanged.)";
 
 constexpr const char* kInspectExamples = R"(Examples:
   jalousie-bake inspect city.glb
-      triangles, errors and screen coverage of every chain
+      print triangles, errors and screen coverage of every chain
   jalousie-bake inspect other_tools.glb --sheet sheet.html
-      a page with every level beside the original; levels without measures are measured)";
+      write a page with every level beside the original; levels without stored measures are measured)";
 
-constexpr const char* kBaking = "Baking";    // options that decide what the bytes of the output are
+constexpr const char* kBaking = "Baking";    // options that change the bytes of the output
 constexpr const char* kRunning = "Running";  // options that do not
 constexpr const char* kOutputs = "Files";
 
-/// "512M" as bytes, without CLI11's list of units in the help.
+/// Reads "512M" as bytes. The help does not list the units of CLI11.
 CLI::Validator bytesWithUnit() {
   CLI::Validator validator = CLI::AsSizeValue(false);
   validator.description("");
   return validator;
 }
 
-/// The options of one group that were given, with their values.
+/// The given options of one group with their values.
 std::string chosenOptions(const CLI::App& program, const char* group) {
   std::string text;
   for (const CLI::Option* option : program.get_options()) {
@@ -70,7 +70,7 @@ std::string chosenOptions(const CLI::App& program, const char* group) {
   return text;
 }
 
-/// False after --help or --version was answered.
+/// @return  false if --help or --version was printed
 bool parse(CLI::App& program, int argc, const char* const* argv, const char* help) {
   try {
     program.parse(argc, argv);
@@ -87,74 +87,180 @@ std::optional<CommandLine> parseInspect(int argc, const char* const* argv) {
   CommandLine result;
   result.inspect = true;
   bool json = false;
-  CLI::App program{"Shows the LOD chains of a glTF file, whatever tool made them", "jalousie-bake inspect"};
+  CLI::App program{"Prints the LOD chains of a glTF file, made by any tool", "jalousie-bake inspect"};
   program.get_formatter()->column_width(32);
-  program.add_option("input", result.inputs, "glTF or GLB file")->required()->expected(1)->type_name("FILE");
-  program.add_flag("--json", json, "JSON instead of tables");
+  program.add_option("input", result.inputs, "Read this glTF or GLB file")->required()->expected(1)->type_name("FILE");
+  program.add_flag("--json", json, "Print JSON instead of tables");
   program.add_option("--sheet", result.sheet, "Write a page with pictures of every level")->type_name("OUT.html");
-  program.add_flag("-q,--quiet", result.quiet, "No tables");
+  program.add_flag("-q,--quiet", result.quiet, "Print no tables");
   program.footer(kInspectExamples);
   if (!parse(program, argc, argv, "jalousie-bake inspect")) return std::nullopt;
   if (json) result.json = "-";
   return result;
 }
 
-/// Which files, and how the work is done.
-void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
+/// Inputs and outputs.
+void addFileOptions(CLI::App& program, CommandLine& result) {
   program.option_defaults()->group(kOutputs);
   program
       .add_option("inputs", result.inputs,
-                  "PLY, OBJ, glTF or GLB files; into a folder also folders and quoted patterns with *, ? and **")
+                  "Read these PLY, OBJ, glTF or GLB files; "
+                  "if the output is a folder, also folders and quoted patterns with *, ? and **")
       ->type_name("IN...");
   program
-      .add_option(
-          "-o,--output", result.output,
-          "Baked file; several PLY and OBJ files become one scene. A folder, existing or with a slash at the end, "
-          "gets a file for each input")
+      .add_option("-o,--output", result.output,
+                  "Write the baked file; several PLY and OBJ files become one scene. "
+                  "A folder (one that exists, or with a slash at the end) gets one file for each input")
       ->required()
       ->type_name("OUT.glb|FOLDER/");
   program
-      .add_option("--files-from", result.filesFrom, "Read more inputs from a file, one a line; - for standard input")
+      .add_option("--files-from", result.filesFrom,
+                  "Read more inputs from a list with one path per line; - for standard input")
       ->type_name("LIST");
-  program.add_flag("--keep-extension", result.keepExtension, "Into a folder: chair.obj becomes chair.obj.glb");
+  program.add_flag("--keep-extension", result.keepExtension,
+                   "Keep the extension of inputs in a folder's file names: chair.obj becomes chair.obj.glb");
   program.add_option("--json", result.json, "Write a report as JSON; - for standard output")->type_name("REPORT");
   program
-      .add_option(
-          "--sheet", result.sheet,
-          "Write a page with every level beside the original and its error as a heat map; a folder for a folder")
+      .add_option("--sheet", result.sheet,
+                  "Write a page with every level beside the original and its error as a heat map; "
+                  "a folder if the output is a folder")
       ->type_name("OUT.html|FOLDER/");
-  program.add_option("--depfile", result.depfile, "Write what the output depends on, for Make and Ninja")
+  program
+      .add_option("--depfile", result.depfile,
+                  "Write the files that the output depends on, as a rule for Make and Ninja")
       ->type_name("FILE");
+}
+
+/// Threads, cache and limits.
+void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
   program.option_defaults()->group(kRunning);
   program
-      .add_option("-j,--jobs", result.jobs, "Threads in all; files of a folder are baked side by side (default: cores)")
+      .add_option("-j,--jobs", result.jobs,
+                  "Use this many threads; files of a folder are baked in parallel [all cores]")
       ->check(CLI::Range(1U, 256U));
   program
       .add_option("--cache", result.cache,
-                  "Keep results here by content, and take them instead of baking again; may be shared")
+                  "Store results in this folder and reuse them for equal inputs and options; runs may share it [none]")
       ->type_name("DIR");
-  program.add_option("--cache-limit", result.cacheLimit, "Forget what was not used for longest beyond this size")
+  program
+      .add_option("--cache-limit", result.cacheLimit,
+                  "Delete the least recently used results when the cache exceeds this size, bytes or with K, M, G")
       ->transform(bytesWithUnit())
       ->type_name("SIZE")
       ->default_str("10G");
   program
-      .add_option(
-          "--max-memory", result.maxMemory,
-          "Memory of one bake, e.g. 512M; 0 for no limit (default: nine tenths of the machine's, shared by the jobs)")
+      .add_option("--max-memory", result.maxMemory,
+                  "Limit the memory of one bake, bytes or with K, M, G; 0: no limit "
+                  "[90 % of the machine's, shared by the jobs]")
       ->transform(bytesWithUnit())
       ->type_name("SIZE");
-  program.add_option("--timeout", timeout, "Give up on a file after this many seconds")
+  program.add_option("--timeout", timeout, "Stop the bake of a file after this time, seconds [none]")
       ->check(CLI::Range(0.001, 1e6))
       ->type_name("SECONDS");
-  program.add_flag("-q,--quiet", result.quiet, "No progress, no table");
+  program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
 }
 
-/// What CLI11 cannot check by itself.
+/// The levels of a chain and when it ends.
+void addChainOptions(CLI::App& program, ChainOptions& chain) {
+  program.add_option("--levels", chain.levels, "Make at most this many levels, LOD 0 included")
+      ->check(CLI::Range(1U, kMaxLevels))
+      ->capture_default_str();
+  auto* ratio =
+      program
+          .add_option("--ratio", chain.ratio, "Set the triangles of a level, as a share of those of the level before")
+          ->check(CLI::Range(0.05, 0.95))
+          ->capture_default_str();
+  program
+      .add_option("--coarsest", chain.coarsest,
+                  "Set the triangles of the last level and space the levels by a constant ratio; replaces --ratio")
+      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U))
+      ->excludes(ratio);
+  program
+      .add_option("--ratios", chain.ratios,
+                  "Set the triangles of LOD 1, 2, ... as shares of those of LOD 0, descending, e.g. 0.5,0.25,0.1")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-6, 1.0))
+      ->type_name("R,...")
+      ->excludes(ratio);
+  program
+      .add_option("--until-error", chain.untilError,
+                  "End the chain before a level with a larger maximum error, % of the bounding box diagonal")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  program
+      .add_option("--until-triangles", chain.untilTriangles, "End the chain before a level with fewer triangles [4]")
+      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U));
+}
+
+/// How levels are simplified.
+void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
+  program
+      .add_option("--preset", chain.preset,
+                  "Choose the simplification. best: collapse on position and attributes, two rounds of refit; "
+                  "fast: collapse on position, one round; draft: meshoptimizer, no refit")
+      ->transform(CLI::Validator(CLI::CheckedTransformer(
+                                     std::map<std::string, Preset>{
+                                         {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},
+                                     CLI::ignore_case))
+                      .description(""))
+      ->type_name("best|fast|draft")
+      ->default_str("best");
+  program
+      .add_option("--weight-normal", chain.collapse.normalWeight,
+                  "Weight deviations of normals against distances; 0: ignore normals [best 1, fast 0]")
+      ->check(CLI::Range(0.0, 100.0));
+  program
+      .add_option("--weight-uv", chain.collapse.uvWeight,
+                  "Weight deviations of texture coordinates against distances; 0: ignore them")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  program
+      .add_option("--weight-color", chain.collapse.colorWeight,
+                  "Weight deviations of vertex colours against distances; 0: ignore them")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  program.add_flag("--lock-border", chain.collapse.lockBorder,
+                   "Keep the vertices of open borders in place, e.g. for terrain tiles");
+}
+
+/// What is done before and after the simplification.
+void addDocumentOptions(CLI::App& program, CommandLine& result) {
+  program
+      .add_option(
+          "--hard-angle", result.bake.hardAngle,
+          "Rebuild normals: edges that bend by a larger angle are hard, all others smooth, degrees [keep normals]")
+      ->check(CLI::Range(0.0, 180.0))
+      ->type_name("DEG");
+  program
+      .add_option("--pixels", result.bake.screen.pixels,
+                  "Set the screen-space error that MSFT_screencoverage allows, pixels")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  program
+      .add_option("--height", result.bake.screen.height,
+                  "Set the height of the 16:9 screen that MSFT_screencoverage refers to, pixels")
+      ->check(CLI::Range(16.0, 100'000.0))
+      ->capture_default_str();
+  program
+      .add_option("--subdivide", result.bake.subdivide,
+                  "Apply this many steps of Loop subdivision before baking; needs manifold meshes")
+      ->check(CLI::Range(0U, 4U))
+      ->capture_default_str();
+  program
+      .add_option("--samples", result.bake.chain.samples,
+                  "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
+      ->check(CLI::Range(100U, 10'000'000U));
+  program.add_flag("--quantize", result.quantize,
+                   "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");
+  program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
+}
+
+/// Checks options against each other.
 void checkOptions(const CLI::App& program, const CommandLine& result) {
   const ChainOptions& chain = result.bake.chain;
   for (const char* weight : {"--weight-normal", "--weight-uv", "--weight-color"})
     if (chain.preset == Preset::kDraft && program.count(weight) > 0)
-      throw Error(ErrorCode::kUsage, fmt::format("{} means nothing to --preset draft; take best or fast", weight));
+      throw Error(ErrorCode::kUsage, fmt::format("{} has no effect with --preset draft; use best or fast", weight));
   if (std::adjacent_find(chain.ratios.begin(), chain.ratios.end(), std::less_equal<>()) != chain.ratios.end())
     throw Error(ErrorCode::kUsage, "--ratios must descend, e.g. 0.5,0.25,0.1");
   if (chain.ratios.size() >= kMaxLevels)
@@ -162,12 +268,12 @@ void checkOptions(const CLI::App& program, const CommandLine& result) {
   if (result.inputs.empty() && result.filesFrom.empty())
     throw Error(ErrorCode::kUsage, "inputs is required (see jalousie-bake --help)");
   if (program.count("--cache-limit") > 0 && result.cache.empty())
-    throw Error(ErrorCode::kUsage, "--cache-limit means nothing without --cache");
+    throw Error(ErrorCode::kUsage, "--cache-limit has no effect without --cache");
   if (result.keepExtension && !isBatch(result))
-    throw Error(ErrorCode::kUsage, "--keep-extension means nothing when the output is one file");
+    throw Error(ErrorCode::kUsage, "--keep-extension has no effect if the output is one file");
 }
 
-/// Limits on what a file may ask for, so that most bombs are named before they meet the limit on memory.
+/// Lowers the limits on the input, so that most oversized files are refused with a reason before memory runs out.
 void limitDemands(std::uint64_t maxMemory, asset::Limits& limits) {
   if (maxMemory == 0) return;
   limits.maxFileBytes = std::min(limits.maxFileBytes, maxMemory / 3);
@@ -186,75 +292,15 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   if (argc > 1 && std::string_view(argv[1]) == "inspect") return parseInspect(argc - 1, argv + 1);
   CommandLine result;
   double timeout = 0.0;
-  ChainOptions& chain = result.bake.chain;
   CLI::App program{"Bakes meshes into glTF with discrete LOD chains and a measured error per level", "jalousie-bake"};
   program.get_formatter()->column_width(32);
   program.set_version_flag("--version", kVersion);
+  addFileOptions(program, result);
   addRunOptions(program, result, timeout);
   program.option_defaults()->group(kBaking);
-  program.add_option("--levels", chain.levels, "Most levels of a chain, LOD 0 included")
-      ->check(CLI::Range(1U, kMaxLevels))
-      ->capture_default_str();
-  auto* ratio = program.add_option("--ratio", chain.ratio, "Triangles of a level over those of the one before")
-                    ->check(CLI::Range(0.05, 0.95))
-                    ->capture_default_str();
-  program
-      .add_option("--coarsest", chain.coarsest,
-                  "Triangles of the last level; the others are spaced evenly in ratio. Replaces --ratio")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U))
-      ->excludes(ratio);
-  program.add_option("--ratios", chain.ratios, "Triangles of LOD 1, 2, ... over those of LOD 0, e.g. 0.5,0.25,0.1")
-      ->delimiter(',')
-      ->check(CLI::Range(1e-6, 1.0))
-      ->type_name("R,...")
-      ->excludes(ratio);
-  program.add_option("--until-error", chain.untilError, "No level with a larger error, % of the diagonal")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  program.add_option("--until-triangles", chain.untilTriangles, "No level with fewer triangles")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U));
-  program
-      .add_option("--preset", chain.preset,
-                  "best: position and attributes, two rounds of refit; fast: position, one round; draft: meshoptimizer")
-      ->transform(CLI::Validator(CLI::CheckedTransformer(
-                                     std::map<std::string, Preset>{
-                                         {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},
-                                     CLI::ignore_case))
-                      .description(""))
-      ->type_name("best|fast|draft")
-      ->default_str("best");
-  program
-      .add_option("--weight-normal", chain.collapse.normalWeight,
-                  "Weight of normals beside distance, 0 = ignore (best 1, fast 0)")
-      ->check(CLI::Range(0.0, 100.0));
-  program.add_option("--weight-uv", chain.collapse.uvWeight, "Weight of texture coordinates")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  program.add_option("--weight-color", chain.collapse.colorWeight, "Weight of vertex colours")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  program.add_flag("--lock-border", chain.collapse.lockBorder, "Open borders stay where they are, for tiles");
-  program
-      .add_option("--hard-angle", result.bake.hardAngle,
-                  "Rebuild normals: edges that bend by more degrees stay hard, all others are smooth")
-      ->check(CLI::Range(0.0, 180.0))
-      ->type_name("DEG");
-  program
-      .add_option("--pixels", result.bake.screen.pixels, "Error on screen that MSFT_screencoverage allows, in pixels")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
-  program.add_option("--height", result.bake.screen.height, "Height in pixels of that screen, 16:9")
-      ->check(CLI::Range(16.0, 100'000.0))
-      ->capture_default_str();
-  program.add_option("--subdivide", result.bake.subdivide, "Loop subdivision steps before baking; manifold meshes")
-      ->check(CLI::Range(0U, 4U))
-      ->capture_default_str();
-  program
-      .add_option("--samples", chain.samples,
-                  "Points per surface for the measures (best 100000, fast 12000, draft 10000)")
-      ->check(CLI::Range(100U, 10'000'000U));
-  program.add_flag("--quantize", result.quantize, "Positions 16, normals 8, UVs 16 bits (KHR_mesh_quantization)");
-  program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
+  addChainOptions(program, result.bake.chain);
+  addSimplifyOptions(program, result.bake.chain);
+  addDocumentOptions(program, result);
   program.footer(kExamples);
   if (!parse(program, argc, argv, "jalousie-bake")) return std::nullopt;
   checkOptions(program, result);

@@ -29,7 +29,7 @@ struct CommandLine {
   bool quantize = false;
   bool compress = false;
   bool quiet = false;
-  std::string chosen;  ///< the options given that decide what a bake's bytes are, in one fixed order
+  std::string chosen;  ///< the given options that change the bytes of the output, in a fixed order
   BakeOptions bake;
 };
 

@@ -1,4 +1,4 @@
-// Escapes as GCC writes them, which both tools read.
+// Escapes names as GCC does; Make and Ninja read these escapes.
 #include "bake/pipeline/depfile.h"
 
 #include "core/error.h"

@@ -1,4 +1,4 @@
-// Dependencies in the language of Make and Ninja.
+// Writes dependencies as rules for Make and Ninja.
 #pragma once
 
 #include <filesystem>

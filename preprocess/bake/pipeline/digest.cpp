@@ -1,4 +1,4 @@
-// OpenSSL hashes; this file writes digits.
+// Hashes with OpenSSL and writes hexadecimal digits.
 #include "bake/pipeline/digest.h"
 
 #include <openssl/sha.h>

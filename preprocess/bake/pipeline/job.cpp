@@ -1,4 +1,4 @@
-// Look in the cache, else import, bake, encode and store; then write.
+// Looks in the cache; on a miss imports, bakes, encodes and stores; then writes.
 #include "bake/pipeline/job.h"
 
 #include <fcntl.h>
@@ -29,7 +29,7 @@ std::vector<fs::path> dependencyPaths(const BakeJob& job, const std::vector<Read
   return paths;
 }
 
-/// Whether a file holds these bytes already. A file that cannot be read does not.
+/// Whether a file already has these bytes; false if it cannot be read.
 bool holds(const fs::path& path, std::span<const std::byte> bytes) {
   std::error_code ignored;
   if (fs::file_size(path, ignored) != bytes.size()) return false;
@@ -41,8 +41,8 @@ bool holds(const fs::path& path, std::span<const std::byte> bytes) {
   }
 }
 
-/// Writes unless the bytes are there already; then the file only gets the present time, for build tools that compare
-/// times. @return  whether it was there
+/// Writes the file unless it already has these bytes. In that case only its time is set, for build tools that compare
+/// times. @return  whether it already had these bytes
 bool writeIfOther(const fs::path& path, std::span<const std::byte> bytes) {
   if (holds(path, bytes) && ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0) == 0) return true;
   writeFileAtomic(path, bytes);
@@ -108,7 +108,7 @@ JobResult runJob(const BakeJob& job, const JobSettings& settings,
   JobResult result;
   try {
     if (cache && !isHit) cache->store(job, read, *entry);
-  } catch (const Error& error) {  // the bake is done; the next one will be slower, that is all
+  } catch (const Error& error) {  // the bake is done; only the next one will be slower
     result.warning = error.what();
   }
   result.status = unchanged ? JobStatus::kUnchanged : isHit ? JobStatus::kCached : JobStatus::kBaked;

@@ -1,4 +1,4 @@
-// One bake: files in, one file out.
+// Runs one bake: input files to one output file.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@ namespace jalousie::bake {
 
 /// Bakes or takes from the cache, and writes sheet and output. Errors: those of importFiles, bakeDocument and
 /// writeFileAtomic; the output is intact then.
-/// @param progress  what the bake is at, in words
+/// @param progress  called with a description of the current step
 JobResult runJob(const BakeJob& job, const JobSettings& settings,
                  const std::function<void(const std::string&)>& progress);
 

@@ -33,8 +33,7 @@ std::vector<BakeJob> jobsInto(const fs::path& folder, const fs::path& sheets, co
                                                  other->second.string(), input.path.string(), job.output.string()));
     if (inputPaths.contains(canonicalPath(job.output)))
       throw Error(ErrorCode::kUsage,
-                  fmt::format("{} would be overwritten by its own result or another's; take another folder",
-                              job.output.string()));
+                  fmt::format("{} would be overwritten by a result; choose another folder", job.output.string()));
     jobs.push_back(std::move(job));
   }
   return jobs;

@@ -1,5 +1,4 @@
-// Messages from child to parent: a letter, a count, and that many length-prefixed texts. P: progress, R: result, E:
-// error.
+// Messages from child to parent: a length, a letter and length-prefixed texts. P: progress, R: result, E: error.
 #include "bake/pipeline/worker.h"
 
 #include <fcntl.h>
@@ -50,7 +49,7 @@ void send(int pipe, char kind, const Fields& fields) {
   std::size_t sent = 0;
   while (sent < message.size()) {
     const ssize_t written = ::write(pipe, message.data() + sent, message.size() - sent);
-    if (written < 0 && errno != EINTR) return;  // the parent is gone, and we follow
+    if (written < 0 && errno != EINTR) return;  // the parent has ended
     if (written > 0) sent += static_cast<std::size_t>(written);
   }
 }
@@ -72,7 +71,7 @@ bool takeMessage(std::string& received, char& kind, Fields& fields) {
 }
 
 void limitMemory(std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow alone is terabytes
+#if !defined(__SANITIZE_ADDRESS__)  // its shadow memory alone takes terabytes of address space
   if (bytes == 0) return;
   const rlimit limit = {bytes, bytes};
   ::setrlimit(RLIMIT_DATA, &limit);
@@ -86,7 +85,7 @@ void limitMemory(std::uint64_t bytes) {
   std::exit(static_cast<int>(code));
 }
 
-/// What the child does. Exits the normal way, so that sanitizers and coverage have their say.
+/// Runs the job in the child. Exits normally, so that sanitizers and coverage write their results.
 [[noreturn]] void work(int pipe, const BakeJob& job, const JobSettings& settings, const WorkerLimits& limits) {
   const std::string input = job.inputs.front().string();
   try {
@@ -126,7 +125,7 @@ Worker::Worker(const BakeJob& job, const JobSettings& settings, const WorkerLimi
   if (::pipe2(ends, O_CLOEXEC) != 0) throw Error(ErrorCode::kInternal, std::strerror(errno));
   pipe_ = Descriptor(ends[0]);
   Descriptor childEnd(ends[1]);
-  std::fflush(nullptr);  // what is buffered must not be written by both
+  std::fflush(nullptr);  // otherwise both processes would write the buffered output
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ < 0) throw Error(ErrorCode::kInternal, fmt::format("no process for a bake: {}", std::strerror(errno)));

@@ -1,4 +1,4 @@
-// A bake in a process of its own: whatever a file does to it, the others go on.
+// A bake in a process of its own: a crash or a memory limit ends only this bake.
 #pragma once
 
 #include <sys/types.h>
@@ -19,20 +19,20 @@ struct WorkerLimits {
 
 class Worker {
  public:
-  /// Forks and starts the job. To be called while the process has one thread. Errors: kInternal (no process to be had).
+  /// Forks and starts the job. @pre the process has one thread. Errors: kInternal (the process cannot be made).
   Worker(const BakeJob& job, const JobSettings& settings, const WorkerLimits& limits);
-  /// Kills it if it still runs.
+  /// Kills the process if it still runs.
   ~Worker();
   Worker(Worker&& other) noexcept;
   Worker& operator=(Worker&&) = delete;
 
-  /// Readable when the worker has something to say.
+  /// Readable when the worker has sent a message or has ended.
   int descriptor() const { return pipe_.get(); }
-  /// Reads what there is. @return  false once the worker has ended and finish may be called
+  /// Reads the messages that have arrived. @return  false once the worker has ended and finish may be called
   bool listen();
-  /// What the job is at, in words.
+  /// Description of the current step.
   const std::string& progress() const { return progress_; }
-  /// Waits for the process. Exactly one of the two is set afterwards.
+  /// Waits for the process. Sets exactly one of the two.
   void finish(std::optional<JobResult>& result, std::optional<JobFailure>& failure);
   /// Ends the worker; finish then reports a failure with this reason.
   void kill(const std::string& reason);

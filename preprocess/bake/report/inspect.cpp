@@ -1,4 +1,4 @@
-// Counting and formatting of chains.
+// Counts triangles and vertices, and formats chains as text and JSON.
 #include "bake/report/inspect.h"
 
 #include <fmt/format.h>
@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bake/io/level_nodes.h"
+#include "bake/report/percent.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
@@ -36,15 +38,11 @@ InspectedLevel inspectMesh(const tinygltf::Model& model, int index) {
   return level;
 }
 
-/// A figure of a level as text, '-' if the file does not say.
+/// A figure of a level as text; '-' if the file does not store it.
 template <class Figure>
 std::string cell(const InspectedLevel& level, const char* format, const Figure& figure) {
   if (!level.info || !level.info->measures) return "-";
   return fmt::format(fmt::runtime(format), figure(*level.info->measures));
-}
-
-double percentOf(const asset::LodMeasures& measures, double length) {
-  return measures.diagonal > 0.0 ? 100.0 * length / measures.diagonal : 0.0;
 }
 
 std::string levelText(const InspectedChain& chain, std::size_t k) {
@@ -52,8 +50,8 @@ std::string levelText(const InspectedChain& chain, std::size_t k) {
   const double share = chain.levels[0].triangles > 0 ? 100.0 * static_cast<double>(level.triangles) /
                                                            static_cast<double>(chain.levels[0].triangles)
                                                      : 0.0;
-  const auto largest = [&](const asset::LodMeasures& m) { return percentOf(m, level.info->errorObject); };
-  const auto mean = [](const asset::LodMeasures& m) { return percentOf(m, m.twoSided.mean); };
+  const auto largest = [&](const asset::LodMeasures& m) { return percentOf(m.diagonal, level.info->errorObject); };
+  const auto mean = [](const asset::LodMeasures& m) { return percentOf(m.diagonal, m.twoSided.mean); };
   const auto normal = [](const asset::LodMeasures& m) { return m.normalDegrees.mean; };
   const auto p95 = [](const asset::LodMeasures& m) { return m.normalDegrees.p95; };
   const auto uv = [](const asset::LodMeasures& m) { return m.uv.mean; };
@@ -70,8 +68,8 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   if (level.info) json["error_object"] = level.info->errorObject;
   if (!level.info || !level.info->measures) return json;
   const asset::LodMeasures& measures = *level.info->measures;
-  json["error_percent"] = percentOf(measures, level.info->errorObject);
-  json["mean_percent"] = percentOf(measures, measures.twoSided.mean);
+  json["error_percent"] = percentOf(measures.diagonal, level.info->errorObject);
+  json["mean_percent"] = percentOf(measures.diagonal, measures.twoSided.mean);
   json["normal_degrees"] = {{"mean", measures.normalDegrees.mean}, {"p95", measures.normalDegrees.p95}};
   json["uv"] = {{"mean", measures.uv.mean}, {"p95", measures.uv.p95}};
   if (!measures.stop.empty()) json["stop"] = measures.stop;
@@ -81,10 +79,7 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
 }  // namespace
 
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
-  std::vector<bool> isLower(model.nodes.size(), false);
-  for (std::size_t n = 0; n < model.nodes.size(); ++n)
-    for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
-      isLower[static_cast<std::size_t>(lower)] = true;
+  const std::vector<bool> isLower = levelNodes(model);
   std::vector<InspectedChain> chains(model.meshes.size());
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     const tinygltf::Node& node = model.nodes[n];

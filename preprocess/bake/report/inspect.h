@@ -1,4 +1,4 @@
-// The LOD chains of any glTF, ours or not.
+// Finds and prints the LOD chains of any glTF file.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -30,7 +30,7 @@ struct InspectedChain {
 /// Chains by the meshes of their LOD 0, in the order of the meshes. Errors: kMalformed (of lodNodes and lodInfo).
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
-/// One table per chain; '-' where a file does not say.
+/// One table per chain; '-' for figures that the file does not store.
 std::string inspectText(const std::vector<InspectedChain>& chains);
 /// {"chains": [{"name", "nodes", "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file
 /// says,

@@ -1,20 +1,17 @@
-// Formats bake reports.
+// Formats bake reports as text and JSON.
 #include "bake/report/report.h"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "bake/report/percent.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
 namespace {
 
 using nlohmann::ordered_json;
-
-double percentOf(double diagonal, double length) {
-  return diagonal > 0.0 ? 100.0 * length / diagonal : 0.0;
-}
 
 std::string findingsText(const MeshFindings& findings) {
   std::string text;

@@ -1,4 +1,4 @@
-// The report of a bake, for people and as JSON.
+// The report of a bake as text and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Pictures and tables of every chain, put together as one page.
+// Draws pictures and tables of every chain and joins them into one page.
 #include "bake/report/sheet.h"
 
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include "bake/mesh/triangle_bvh.h"
 #include "bake/mesh/wedges.h"
 #include "bake/report/inspect.h"
+#include "bake/report/percent.h"
 #include "bake/report/sheet_plot.h"
 #include "bake/report/software_raster.h"
 #include "bake/simplify/measure.h"
@@ -124,7 +125,7 @@ ImageRgba8 heatPicture(const WedgeMesh& mesh, const RasterView& view, const Tria
   });
 }
 
-/// The pages' part for one chain.
+/// The section of the page for one chain.
 class ChainSection {
  public:
   ChainSection(const tinygltf::Model& model, const InspectedChain& chain, const SheetOptions& options,
@@ -166,7 +167,7 @@ class ChainSection {
   }
 
  private:
-  double percent(double length) const { return diagonal_ > 0.0 ? 100.0 * length / diagonal_ : 0.0; }
+  double percent(double length) const { return percentOf(diagonal_, length); }
 
   std::string stopText() const {
     const auto& info = chain_.levels.back().info;
@@ -178,7 +179,7 @@ class ChainSection {
   asset::LodMeasures measuresOf(std::size_t k, const WedgeMesh& level, const DeviationMeter& meter) const {
     const auto& info = chain_.levels[k].info;
     if (info && info->measures) return *info->measures;
-    WedgeMesh foreign = level;  // its wedges mean nothing to the original
+    WedgeMesh foreign = level;  // its wedges have no counterparts in the original
     std::fill(foreign.sourceWedge.begin(), foreign.sourceWedge.end(), ~0U);
     const Deviation deviation = meter.measure(foreign);
     return lodMeasures(deviation);
@@ -186,7 +187,7 @@ class ChainSection {
 
   std::string row(std::size_t k, const WedgeMesh& level, const TriangleBvh& bvh,
                   const asset::LodMeasures& measures) const {
-    // Five times the mean shows where a level deviates; a scale up to the maximum would be dark all over.
+    // The scale ends at five times the mean: with the maximum, almost the whole picture would be dark.
     const double scale = 5.0 * measures.toOriginal.mean;
     const double share = 100.0 * static_cast<double>(chain_.levels[k].triangles) /
                          static_cast<double>(std::max<std::uint64_t>(chain_.levels[0].triangles, 1));

@@ -1,4 +1,4 @@
-// A self-contained page that shows what a bake made.
+// Writes a self-contained page with pictures of every level.
 #pragma once
 
 #include <tiny_gltf.h>

@@ -1,4 +1,4 @@
-// Axes, ticks and two polylines.
+// Draws the axes, the ticks and one polyline each for maximum and mean.
 #include "bake/report/sheet_plot.h"
 
 #include <fmt/format.h>
@@ -35,21 +35,27 @@ std::string tickLabel(double value) {
   return fmt::format("{:g}", value);
 }
 
-std::string curve(const std::vector<PlotPoint>& points, const Axis& x, const Axis& y, double PlotPoint::*figure,
-                  const char* color, const char* name) {
+/// How one figure of the points is drawn.
+struct CurveStyle {
+  double PlotPoint::*figure;
+  const char* color;
+  const char* name;  ///< written at the finest level's end
+};
+
+std::string curve(const std::vector<PlotPoint>& points, const Axis& x, const Axis& y, const CurveStyle& style) {
   std::string line;
   std::string dots;
   for (const PlotPoint& point : points) {
     const double px = x.at(point.triangles);
-    const double py = y.at(point.*figure);
+    const double py = y.at(point.*style.figure);
     line += fmt::format("{:.1f},{:.1f} ", px, py);
-    dots += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3.5' fill='{}'/>", px, py, color);
+    dots += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3.5' fill='{}'/>", px, py, style.color);
   }
   const PlotPoint& finest = points.front();
   return fmt::format(
       "<polyline points='{}' fill='none' stroke='{}' stroke-width='2'/>{}"
       "<text x='{:.1f}' y='{:.1f}' style='fill:{}' dy='4'>{}</text>",
-      line, color, dots, x.at(finest.triangles) + 10.0, y.at(finest.*figure), color, name);
+      line, style.color, dots, x.at(finest.triangles) + 10.0, y.at(finest.*style.figure), style.color, style.name);
 }
 
 }  // namespace
@@ -85,8 +91,8 @@ std::string errorPlot(const std::vector<PlotPoint>& all) {
   }
   svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>triangles</text>", 0.5 * (kLeft + kWidth - kRight),
                      kHeight - 6.0);
-  svg += curve(points, x, y, &PlotPoint::max, "#b5432f", "max");
-  svg += curve(points, x, y, &PlotPoint::mean, "#2f6fb5", "mean");
+  svg += curve(points, x, y, {&PlotPoint::max, "#b5432f", "max"});
+  svg += curve(points, x, y, {&PlotPoint::mean, "#2f6fb5", "mean"});
   return svg + "</svg>";
 }
 

@@ -1,4 +1,4 @@
-// The curve of error over triangles as SVG.
+// Plots error over triangles as SVG.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct PlotPoint {
   double mean = 0.0;  ///< % of the diagonal
 };
 
-/// Logarithmic on both axes, ticks at powers of ten, one dot per level. Empty string without two points of positive
-/// error.
+/// Logarithmic on both axes, ticks at powers of ten, one dot per level. Points without a positive error are left out.
+/// @return  an SVG element; empty if fewer than two points are left
 std::string errorPlot(const std::vector<PlotPoint>& points);
 
 }  // namespace jalousie::bake

@@ -1,4 +1,4 @@
-// Edge functions in double, one triangle after the other.
+// Rasterises with edge functions in double precision.
 #include "bake/report/software_raster.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A small z-buffered rasteriser for the sheet: no OpenGL, the same pixels everywhere.
+// A small z-buffered rasteriser for the sheet: it needs no OpenGL and gives the same pixels on every machine.
 #pragma once
 
 #include <cstdint>

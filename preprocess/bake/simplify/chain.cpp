@@ -1,4 +1,4 @@
-// Targets, stops and measured errors of a chain.
+// Chooses target counts, makes the levels, measures them and decides when the chain ends.
 #include "bake/simplify/chain.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ class LevelMaker {
     collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
   }
 
-  /// At most `target` triangles if that can be had. @param vertexMap  from the finest mesh
+  /// Makes a level of at most `target` triangles if the collapse allows it. @param vertexMap  from the finest mesh
   WedgeMesh make(std::uint32_t target, bool exactly, std::vector<std::uint32_t>& vertexMap) {
     if (!collapser_) {
       corners_ = exactly ? draftExactly(target) : draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
@@ -59,7 +59,7 @@ class LevelMaker {
     return refit;
   }
 
-  /// Collapses can undershoot; a slightly larger target often lands on the wanted count.
+  /// A collapse can undershoot its target; a slightly larger target often gives the wanted count.
   std::vector<std::uint32_t> draftExactly(std::uint32_t target) const {
     std::vector<std::uint32_t> best = draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
     const auto miss = [&](const std::vector<std::uint32_t>& corners) {

@@ -1,4 +1,4 @@
-// A chain of levels from one mesh, each made from the one before and measured against the first.
+// Makes a chain of levels from one mesh: each level is made from the one before and measured against the first.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ChainLevel {
 
 struct LevelChain {
   std::vector<ChainLevel> levels;  ///< LOD 0 first; never empty
-  std::string stopReason;          ///< why there are not more
+  std::string stopReason;          ///< why there are no more levels
 };
 
 /// Triangles strictly descend, errors never fall, every level has at least kMinLevelTriangles or is LOD 0.
@@ -29,10 +29,10 @@ struct LevelChain {
 LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
                      const std::function<void(std::uint32_t)>& progress = {});
 
-/// MSFT_screencoverage: for each level the share of the screen's area below which the next one may be shown.
+/// MSFT_screencoverage: for each level the share of the screen's area below which the next level may be shown.
 /// A sphere of radius r that is D pixels wide on screen shows an object-space error e as e D / 2r pixels. The next
 /// level, with error e', is good enough while that is at most `pixels`: D <= 2r pixels / e'. The sphere then covers
-/// pi D^2 / 4 of the screen's pixels. The last level's value is 0: it is never left.
+/// pi D^2 / 4 of the screen's pixels. The last level's value is 0: there is no next level.
 std::vector<float> screenCoverage(const LevelChain& chain, double radius, const ScreenTolerance& tolerance = {});
 
 }  // namespace jalousie::bake

@@ -31,10 +31,10 @@ struct ChainOptions {
   SliceRunner slices = runInOneSlice;    ///< runs the loops of refit and measurement
 };
 
-/// On which screen an error may be how large before the next level no longer does.
+/// The screen-space error that is allowed when a level is replaced by the next one.
 struct ScreenTolerance {
   double pixels = 1.0;     ///< largest error on screen
-  double height = 1080.0;  ///< of the screen in pixels; it is 16:9
+  double height = 1080.0;  ///< of the 16:9 screen, pixels
 };
 
 }  // namespace jalousie::bake

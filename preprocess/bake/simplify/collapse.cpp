@@ -1,4 +1,4 @@
-// Cheapest collapses first, stale entries recognised by the versions of their vertices.
+// Collapses the edge with the least error first; stale queue entries are recognised by the versions of their vertices.
 #include "bake/simplify/collapse.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace jalousie::bake {
 namespace {
 
 constexpr std::uint32_t kNone = ~0U;
-/// A part that vanishes counts as if all of its area were off by this often (squared) half its size: it leaves nothing
-/// behind that could be near.
+/// The cost of removing a loose part is this factor times its area times its squared radius: unlike a collapsed edge, a
+/// removed part leaves no surface nearby.
 constexpr double kPartWeight = 16.0;
 std::vector<glm::dvec3> unitFrame(const WedgeMesh& mesh) {
   const Aabb box = boundsOf(mesh.positions);
@@ -98,7 +98,8 @@ struct EdgeCollapser::State {
     return Candidate{static_cast<float>(cost), u, v, version[u] + version[v]};
   }
 
-  /// The minimum of the error, unless an end is locked or it lies further off than the edge is long (spikes).
+  /// The minimum of the error; nothing if an end is locked or the minimum lies further from the edge's middle than the
+  /// edge is long (spikes).
   std::optional<glm::dvec3> freeMinimum(std::uint32_t u, std::uint32_t v, const Quadric& quadric) const {
     if (locked[u] != 0 || locked[v] != 0) return std::nullopt;
     const std::optional<glm::dvec3> minimum = quadric.minimum();
@@ -112,7 +113,7 @@ struct EdgeCollapser::State {
     glm::dvec3 p;
     double cost;
   };
-  /// Where the new vertex may be, best first: the free minimum, both ends, the middle.
+  /// Candidate positions of the new vertex in ascending order of cost: the free minimum, both ends, the middle.
   std::array<Place, 4> places(std::uint32_t u, std::uint32_t v, const Quadric& quadric) const {
     const auto at = [&](const glm::dvec3& p) { return Place{p, std::max(quadric.at(p), 0.0)}; };
     if (locked[u] != 0 || locked[v] != 0) {
@@ -143,7 +144,7 @@ struct EdgeCollapser::State {
       error.attributesAt(place.p, along, merge, values);
       if (!checks.keepsTexture(u, v, merge, values)) continue;
       const auto cost = static_cast<float>(place.cost);
-      if (cost > candidate.cost * 1.0001F) {  // a worse place than it queued for: wait for its turn
+      if (cost > candidate.cost * 1.0001F) {  // costs more than its queue entry: insert it again
         queue.push({cost, u, v, candidate.version});
         return Outcome::kLater;
       }
@@ -177,7 +178,7 @@ struct EdgeCollapser::State {
     onBorder[u] = onBorder[u] | onBorder[v];
     locked[u] = locked[u] | locked[v];
     ++version[u];
-    version[v] = kNone / 2;  // no sum with it ever fits again
+    version[v] = kNone / 2;  // no sum with it matches a queued version
     noteWedges(u);
     ++generation;
     topology.forEachCorner(u, [&](std::uint32_t corner) {
@@ -193,7 +194,7 @@ struct EdgeCollapser::State {
     neighbours.clear();
   }
 
-  /// Takes a loose part away unless that would go below `least` triangles.
+  /// Removes a loose part unless fewer than `least` triangles would remain.
   Outcome removePart(std::uint32_t p, std::uint32_t least) {
     const LoosePart& part = parts.parts[p];
     const auto facesOf = std::span(parts.faces).subspan(part.firstFace, part.faceCount);
@@ -218,7 +219,7 @@ struct EdgeCollapser::State {
 
   void run(std::uint32_t target) {
     const std::uint32_t least = std::max(kMinLevelTriangles, target - target / 20);
-    std::vector<Candidate> waiting;  // illegal now, maybe not after their surroundings have changed
+    std::vector<Candidate> waiting;  // illegal now; retried after their surroundings have changed
     std::uint32_t facesAtRetry = topology.faces();
     while (topology.faces() > target) {
       if (queue.empty()) {

@@ -1,4 +1,4 @@
-// Edge collapse by quadrics over position and attributes, towards ever fewer triangles.
+// Edge collapse with quadrics over position and attributes.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace jalousie::bake {
 
-/// Collapses edges in the order of their error. A chain is made by asking for fewer triangles again and again.
+/// Collapses edges in the order of their error. To make a chain, call collapseTo with descending targets.
 /// The error of a position is the area-weighted squared distance to the planes of all triangles that were merged into
 /// it (Garland and Heckbert 1997) plus, per wedge and attribute, the squared deviation from what those triangles'
 /// linear attribute functions say there (Hoppe 1999); the attributes of least error follow in closed form, so one 3x3
@@ -24,11 +24,11 @@ class EdgeCollapser {
   EdgeCollapser(const EdgeCollapser&) = delete;
   EdgeCollapser& operator=(const EdgeCollapser&) = delete;
 
-  /// Goes on until at most `target` triangles are left or no collapse is legal. Loose parts that are smaller than the
-  /// error at hand go as a whole, never the largest one, and never below kMinLevelTriangles.
+  /// Collapses until at most `target` triangles are left or no collapse is legal. A loose part that is smaller than the
+  /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles.
   void collapseTo(std::uint32_t target);
   std::uint32_t triangles() const;
-  /// The mesh as it is now.
+  /// The current mesh.
   WedgeMesh mesh() const;
 
   static constexpr std::uint32_t kGone = ~0U;

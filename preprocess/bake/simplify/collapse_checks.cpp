@@ -1,4 +1,4 @@
-// Wedges that meet, facing in space and in texture space.
+// Gathers wedges and compares orientations in space and in texture space.
 #include "bake/simplify/collapse_checks.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a collapse would bring together, and whether the triangles around it stay the right way up.
+// Checks of a collapse: which wedges it merges, and whether the triangles around it keep their orientation.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace jalousie::bake {
 
-/// Looks at a mesh that is being collapsed; changes nothing but the topology's lists of dead corners.
+/// Checks collapses of a mesh. Changes nothing but the topology's lists, from which it removes dead corners.
 class CollapseChecks {
  public:
   /// Keeps references. @param positions  of vertices, as they move

@@ -1,4 +1,4 @@
-// Accumulation and merging of quadrics.
+// Accumulates and merges quadrics.
 #include "bake/simplify/collapse_error.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace jalousie::bake {
 namespace {
 
-/// Share of a triangle's area that pulls towards its centre: decides where planes alone leave a position free.
+/// Weight of the distance to a triangle's centre, as a share of its area: fixes positions that planes alone leave free.
 constexpr double kCentrePull = 1e-6;
 constexpr double kBorderWeight = 10.0;
 constexpr double kSeamWeight = 1.0;
@@ -112,8 +112,8 @@ void CollapseError::chooseWeights(const WedgeMesh& mesh, const CollapseOptions& 
                                   std::span<const glm::dvec3> positions) {
   constexpr double kUv = 0.1;       // of the distance by which the texture slides
   constexpr double kColor = 0.005;  // per unit of linear colour
-  // A turn by one radian weighs as much as a distance. On a fine mesh the levels are fine too and so are their errors:
-  // the root of the edge length keeps distance and turn in balance from the bunny (1/53) to the dragon (1/800).
+  // Weight of a normal deviation of one radian against a distance. On a fine mesh the levels and their errors are small
+  // too: the square root of the edge length balances both from the bunny (1/53) to the dragon (1/800).
   constexpr double kNormal = 0.15;
   const double normalWeight = kNormal * std::sqrt(meanEdge(mesh, positions));
   for (const AttributeSlot& slot : mesh.slots) {
@@ -172,7 +172,7 @@ void CollapseError::addEdges(const WedgeMesh& mesh, const EdgeTable& edges, std:
     if (edge.kind == EdgeKind::kSmooth) continue;
     double weight = edge.kind == EdgeKind::kBorder ? kBorderWeight : kSeamWeight;
     if (edge.kind == EdgeKind::kHard) {
-      // Flat-shaded smooth surfaces have a hard edge everywhere: only the bend counts.
+      // On flat-shaded smooth surfaces every edge is hard: only the bend counts.
       const double bend =
           glm::dot(frameAt(edges.uses[edge.firstUse]).normal, frameAt(edges.uses[edge.firstUse + 1]).normal);
       weight *= 0.5 * (1.0 - bend);

@@ -1,4 +1,4 @@
-// The error of putting vertices in one place: quadrics per vertex, linear attribute functions per wedge.
+// The error of merging vertices: quadrics per vertex, linear attribute functions per wedge.
 #pragma once
 
 #include <array>
@@ -31,12 +31,12 @@ class CollapseError {
   CollapseError(const WedgeMesh& mesh, const EdgeTable& edges, const CollapseOptions& options,
                 std::span<const glm::dvec3> unitPositions);
 
-  /// Error of both vertices together as a function of the position alone, attributes at their best.
+  /// Error of both vertices as a function of the position alone, with the attributes of least error.
   Quadric merged(std::uint32_t u, std::uint32_t v, const WedgeMerge& merge) const;
   /// Attributes of each group at unit-frame position p. @param along  where p lies between u (0) and v (1), for
   /// attributes without weight @param values  [groups * stride], filled
   void attributesAt(const glm::dvec3& p, double along, const WedgeMerge& merge, std::vector<float>& values) const;
-  /// Makes v part of u, and the wedges of each group part of its first wedge. @param values  from attributesAt
+  /// Merges v into u, and the wedges of each group into its first wedge. @param values  from attributesAt
   void commit(std::uint32_t u, std::uint32_t v, const WedgeMerge& merge, const std::vector<float>& values);
 
   const float* attributes(std::uint32_t wedge) const { return &attributes_[std::size_t{wedge} * stride_]; }

@@ -1,4 +1,4 @@
-// Collapses waiting for their turn, in buckets of nearly equal error.
+// Priority queue of collapses, in buckets of nearly equal error.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace jalousie::bake {
 
-/// An edge (u, v) and the error of its collapse, or a loose part u with v = kNone. `version` tells whether it still
-/// holds.
+/// An edge (u, v) and the error of its collapse, or a loose part u with v = kNone. The entry is stale if `version` is
+/// not the sum of the versions of u and v.
 struct Candidate {
   static constexpr std::uint32_t kNone = ~0U;
   float cost = 0.0F;
@@ -19,13 +19,13 @@ struct Candidate {
   std::uint32_t version = 0;
 };
 
-/// Buckets 3 % wide, by the leading bits of the error; last in, first out within one. Order within a bucket matters
-/// less than what a heap's cache misses cost: a third of a chain's collapse time on 870,000 triangles.
+/// Buckets are 3 % wide, by the leading bits of the error; within a bucket the last entry leaves first. The cache
+/// misses of a heap took a third of the collapse time of a chain with 870,000 triangles; the exact order matters less.
 class CollapseQueue {
  public:
   CollapseQueue() : buckets_((std::uint32_t{0x7F800000U} >> kShift) + 1) {}
 
-  /// What is no number or below zero counts as zero, what is infinite as the largest number.
+  /// NaN and negative costs count as zero, infinite costs as the largest number.
   void push(Candidate candidate) {
     if (!(candidate.cost > 0.0F)) candidate.cost = 0.0F;
     candidate.cost = std::min(candidate.cost, std::numeric_limits<float>::max());

@@ -1,4 +1,4 @@
-// Corner lists and the legality of a collapse.
+// Builds and merges the corner lists, and checks whether a collapse is legal.
 #include "bake/simplify/collapse_topology.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which triangle touches which vertex while edges are collapsed. Non-manifold edges and vertices are allowed.
+// The triangles at each vertex while edges are collapsed. Non-manifold edges and vertices are allowed.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace jalousie::bake {
 
-/// Corner lists per vertex as linked lists in flat arrays: merging two vertices costs nothing, dead corners are dropped
-/// on the way. A corner is 3 * face + k. Arrays are plain, so that the hot checks inline.
+/// Corner lists per vertex as linked lists in flat arrays: two vertices are merged in constant time, and dead corners
+/// are removed during iteration. A corner is 3 * face + k. The arrays are plain, so that the hot checks are inlined.
 class CollapseTopology {
  public:
   static constexpr std::uint32_t kNone = ~0U;
@@ -48,10 +48,10 @@ class CollapseTopology {
     tail_[v] = last;
   }
 
-  /// Whether edge uv may become a point: the vertices next to both are exactly those opposite the edge (link
+  /// Whether edge uv may be collapsed: the vertices adjacent to both ends are exactly those opposite the edge (link
   /// condition), two sheets are not folded onto each other, and a border stays a border.
   bool canCollapse(std::uint32_t u, std::uint32_t v, bool bothOnBorder);
-  /// Kills a face.
+  /// Removes a face.
   void remove(std::uint32_t face);
   /// Moves every live corner of v to u. @pre the faces of both were removed
   void merge(std::uint32_t u, std::uint32_t v);

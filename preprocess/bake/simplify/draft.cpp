@@ -12,11 +12,11 @@
 namespace jalousie::bake {
 namespace {
 
-/// Any deformation is allowed: the target decides, and the error is measured afterwards.
+/// Any deformation is allowed: the target ends the collapse, and the error is measured afterwards.
 constexpr float kAnyError = 1e6F;
 
-/// Collapses an indexed mesh of which only the vertices in use are there: the library takes others at their positions
-/// for attribute seams.
+/// Collapses an indexed mesh. Only vertices in use are passed: the library would treat unused vertices at equal
+/// positions as attribute seams.
 std::vector<std::uint32_t> collapse(const WedgeMesh& mesh, const std::vector<std::uint32_t>& indices,
                                     std::uint32_t target, bool lockBorder) {
   constexpr std::uint32_t kUnused = ~0U;
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> collapse(const WedgeMesh& mesh, const std::vector<std
   return result;
 }
 
-/// Vertices per primitive, collapsed without regard to attributes; corners then choose among the wedges there.
+/// Collapses the vertices of each primitive without regard to attributes; corners then choose among their wedges.
 std::vector<std::uint32_t> collapseWelded(const WedgeMesh& mesh, const std::vector<std::uint32_t>& corners,
                                           std::uint32_t target, bool lockBorder) {
   // Wedge that stands for all wedges of a vertex in one primitive.

@@ -1,4 +1,4 @@
-// The quick collapse for drafts: meshoptimizer, on the vertices that are there.
+// The fast collapse for drafts: meshoptimizer, which keeps vertices at their positions.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace jalousie::bake {
 
-/// Collapses half-edges until at most `target` triangles are left or nothing more can go. Attribute seams are kept
-/// first; where they leave too little freedom (flat-shaded meshes) each corner takes the wedge of its new vertex, in
+/// Collapses half-edges until at most `target` triangles are left or no collapse is possible. A first attempt keeps
+/// attribute seams. If seams prevent the target (flat-shaded meshes), each corner takes the wedge of its new vertex, in
 /// the same primitive, whose normal fits the triangle best.
 /// @param lockBorder  vertices of open borders stay
 /// @param corners  the level to start from, wedges of `mesh` in threes   @return  likewise

@@ -1,4 +1,4 @@
-// Sampled means and percentiles, bounded maxima.
+// Samples means and percentiles, and finds maxima by branch and bound.
 #include "bake/simplify/measure.h"
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 namespace jalousie::bake {
 namespace {
 
-constexpr double kMargin = 1.05;       // of a maximum over what was found
-constexpr double kCloseEnough = 1.02;  // pieces whose bound is below this share of what was found are left alone
+constexpr double kMargin = 1.05;       // largest result, relative to the largest distance found
+constexpr double kCloseEnough = 1.02;  // pieces are not split below this bound, relative to the largest distance found
 
-/// Charts: wedges that triangles connect.
+/// For each wedge its chart: the lowest wedge that is connected to it by triangles.
 std::vector<std::uint32_t> findCharts(const WedgeMesh& mesh) {
   UnionFind wedges(mesh.vertexOf.size());
   for (std::size_t c = 0; c < mesh.corners.size(); ++c)
@@ -93,7 +93,7 @@ struct Piece {
   float bound = 0.0F;
 };
 
-/// Closes in on the largest distance in one direction.
+/// Finds the largest distance in one direction by branch and bound.
 class MaximumSearch {
  public:
   MaximumSearch(const Direction& direction, double found, std::uint32_t searches)
@@ -120,7 +120,7 @@ class MaximumSearch {
     return {point, static_cast<float>(std::sqrt(nearest.distance2)), nearest.triangle};
   }
 
-  /// A vertex whose seed is well within what was found needs no search: any near triangle bounds its distance.
+  /// A vertex whose seed is near enough needs no search: the distance to any triangle bounds its distance.
   Probe probeVertex(const glm::vec3& point, std::uint32_t seed) const {
     if (seed != TriangleBvh::kNoSeed) {
       const TriangleBvh::Corners& t = direction_.bvh.corners(seed);
@@ -140,7 +140,7 @@ class MaximumSearch {
       found_ = std::max(found_, double{vertex.distance});
   }
 
-  /// At most the nearest corner's distance and the way from there.
+  /// Bound by the distance of a corner plus the length of the way from there.
   static float lipschitzBound(const Piece& piece) {
     float bound = std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// How far a level lies from the original surface, measured both ways, with its shading and texture coordinates.
+// Measures how far a level lies from the original surface, in both directions, with normals and texture coordinates.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,15 @@ struct MeterOptions {
 
 /// Measures levels against one original, whose hierarchy and samples are made once.
 ///
-/// Means are taken over points spread evenly by area. A maximum is closed in on by bounds: the distance to one triangle
-/// is convex, so over a piece it is largest at a corner, and the least over a few near triangles of that largest value
-/// bounds the distance to the whole mesh. Pieces whose bound exceeds what was found are split in four, worst first. The
-/// result is the bound once that is within 5 %, else what was found plus 5 %: never less than any sampled distance.
+/// Means are taken over points spread evenly by area. The maximum is found by branch and bound. The distance to one
+/// triangle is convex, so over a piece of a triangle it is largest at a corner. The least of these largest values, over
+/// a few near triangles, bounds the distance of the piece to the whole mesh. Pieces whose bound exceeds the largest
+/// distance found are split in four, the largest bound first. The result is the bound if it is within 5 % of the
+/// largest distance found, else that distance plus 5 %. It is never less than any sampled distance.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const WedgeMesh& original, const MeterOptions& options = {});
-  /// Uses all cores; the result does not depend on how many there are.
+  /// The result does not depend on the slices.
   /// @param vertexMap  for each vertex of the original the one of the level it became, or ~0; may be empty. It only
   /// starts searches. @param level  its sourceWedge refers to the original, for charts
   Deviation measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap = {}) const;

@@ -1,4 +1,4 @@
-// Projection, normal equations triangle by triangle, conjugate gradients.
+// Projects samples, assembles normal equations triangle by triangle and solves them with conjugate gradients.
 #include "bake/simplify/refit.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace jalousie::bake {
 namespace {
 
-constexpr double kDamping = 0.02;     // of what the samples say about a vertex
+constexpr double kDamping = 0.02;     // relative to the weight of the samples of a vertex
 constexpr std::uint32_t kSteps = 24;  // of conjugate gradients
 constexpr double kTolerance = 1e-3;   // of the residual
 constexpr double kSameSide = 0.3;     // least cosine between the normals of a sample and of the triangle it lands on
@@ -49,23 +49,11 @@ class Equations {
   }
   void fix(std::uint32_t unknown) { fixed_.push_back(unknown); }
 
-  /// The change of every unknown.
+  /// The change of every unknown, by conjugate gradients.
   std::vector<glm::dvec3> solve() {
+    addDamping();
+    const std::vector<double> preconditioner = diagonalOfMatrix();
     const std::size_t n = diagonal_.size();
-    double mean = 0.0;
-    for (const double d : diagonal_)
-      mean += d;
-    mean /= static_cast<double>(std::max<std::size_t>(n, 1));
-    for (double& d : diagonal_)
-      d = kDamping * d + 0.1 * kDamping * mean + 1e-30;  // from here on: the damping
-    for (const std::uint32_t i : fixed_)
-      rhs_[i] = glm::dvec3(0.0);
-    std::vector<double> preconditioner = diagonal_;
-    for (std::size_t t = 0; t < blocks_.size(); ++t) {
-      preconditioner[indices_[3 * t]] += blocks_[t].aa;
-      preconditioner[indices_[3 * t + 1]] += blocks_[t].bb;
-      preconditioner[indices_[3 * t + 2]] += blocks_[t].cc;
-    }
     std::vector<glm::dvec3> x(n, glm::dvec3(0.0));
     std::vector<glm::dvec3> r = rhs_;
     std::vector<glm::dvec3> p(n);
@@ -99,6 +87,27 @@ class Equations {
   }
 
  private:
+  /// Replaces the diagonal by the damping and fixes unknowns. From here on the matrix is blocks plus damping.
+  void addDamping() {
+    double mean = 0.0;
+    for (const double d : diagonal_)
+      mean += d;
+    mean /= static_cast<double>(std::max<std::size_t>(diagonal_.size(), 1));
+    for (double& d : diagonal_)
+      d = kDamping * d + 0.1 * kDamping * mean + 1e-30;
+    for (const std::uint32_t i : fixed_)
+      rhs_[i] = glm::dvec3(0.0);
+  }
+  std::vector<double> diagonalOfMatrix() const {
+    std::vector<double> diagonal = diagonal_;
+    for (std::size_t t = 0; t < blocks_.size(); ++t) {
+      diagonal[indices_[3 * t]] += blocks_[t].aa;
+      diagonal[indices_[3 * t + 1]] += blocks_[t].bb;
+      diagonal[indices_[3 * t + 2]] += blocks_[t].cc;
+    }
+    return diagonal;
+  }
+
   struct Block {
     double aa = 0, ab = 0, ac = 0, bb = 0, bc = 0, cc = 0;
   };
@@ -167,7 +176,7 @@ glm::dvec3 normalOfTriangle(const std::vector<glm::vec3>& positions, std::span<c
   return faceNormal(positions[indices[3 * t]], positions[indices[3 * t + 1]], positions[indices[3 * t + 2]]);
 }
 
-/// Takes back the moves of the vertices of triangles that turned over, until none has.
+/// Undoes the moves of the vertices of triangles that turned over, until no triangle is turned over.
 void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint32_t> indices,
                 std::vector<glm::vec3>& after) {
   for (int pass = 0; pass < 8; ++pass) {

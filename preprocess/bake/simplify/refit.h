@@ -1,4 +1,4 @@
-// Moves the vertices of a level to where they fit the original surface best.
+// Moves the vertices of a level to fit the original surface (least squares).
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct RefitOptions {
 
 /// Least squares of positions, then of normals, against points of the original. Each point s is projected onto the
 /// level, where it lands in a triangle with barycentric weights b; the positions x minimise sum |sum_k b_k x_k - s|^2 +
-/// damping sum |x - x_0|^2, solved with conjugate gradients. Triangles that would turn over keep their vertices where
-/// they were.
+/// damping sum |x - x_0|^2, solved with conjugate gradients. Triangles that would turn over keep the old
+/// positions of their vertices.
 /// @param level     changed in place   @param vertexMap  for each vertex of the original the one of the level it
 /// became, or ~0; it starts the searches
 void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertexMap, const RefitOptions& options,
