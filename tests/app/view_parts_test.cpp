@@ -131,7 +131,7 @@ TEST(RenderOptionTable, EveryRowHasWordsForPeople) {
                         std::holds_alternative<MaybeNumberValue>(option.value) ||
                         std::holds_alternative<CountValue>(option.value);
     EXPECT_EQ(*option.unit != '\0', number || std::holds_alternative<MaybeCountValue>(option.value)) << option.name;
-    EXPECT_EQ(*option.needs != '\0', option.applies != nullptr) << option.name;
+    EXPECT_EQ(!option.needs.empty(), option.applies != nullptr) << option.name;
   }
 }
 
