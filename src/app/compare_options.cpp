@@ -8,6 +8,7 @@
 
 #include "app/number_option.h"
 #include "app/option_values.h"
+#include "app/render_command_line.h"
 #include "compare/report_folder.h"
 #include "core/error.h"
 

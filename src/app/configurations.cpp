@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/option_values.h"
+#include "app/render_command_line.h"
 #include "core/error.h"
 #include "core/file.h"
 

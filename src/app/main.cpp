@@ -12,6 +12,7 @@
 #include "app/option_values.h"
 #include "app/record_command.h"
 #include "app/render_command.h"
+#include "app/render_command_line.h"
 #include "app/view/view_command.h"
 #include "core/error.h"
 
@@ -66,18 +67,19 @@ int main(int argc, char** argv) {
   program.footer(
       "Exit codes: 0 done, 2 command line, 3 file not found, 4 cannot be read, 5 malformed, 6 not supported, 7 over a "
       "limit,\n8 cannot be written, 9 no OpenGL 4.5 or no display, 10 a shader does not build, 70 a defect, 130 "
-      "interrupted. A failure is\none line on standard error; what was there before is intact.");
+      "interrupted. A failure prints\none line on standard error; existing output files are unchanged.");
   Options options;
   options.compare.command = toRepeat(argc, argv);
   CLI::App* render = program.add_subcommand("render", "Render one frame, headless");
   addRenderOptions(*render, options.render);
   addDebugOption(*render, options.render.debug);
-  addViewOptions(*program.add_subcommand("view", "Look at scenes in a window: what is hidden, and why"), options.view);
+  addViewOptions(*program.add_subcommand("view", "Show scenes in a window and explain what is occluded, and why"),
+                 options.view);
   CLI::App* compare =
       program.add_subcommand("compare", "Measure configurations along a camera path and write a report");
   addCompareOptions(*compare, options.compare);
   addDebugOption(*compare, options.compare.debug);
-  addDiffOptions(*program.add_subcommand("diff", "How far one picture is from another: PSNR, SSIM, FLIP"),
+  addDiffOptions(*program.add_subcommand("diff", "Measure how much two pictures differ: PSNR, SSIM, FLIP"),
                  options.diff);
   addRecordOptions(*program.add_subcommand("record", "Write a camera path as a glTF camera animation"), options.record);
   std::string command = "COMMAND";

@@ -1,4 +1,4 @@
-// Options of `jalousie render`: what the command line says, checked.
+// Options of `jalousie render`: plain values.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,6 @@
 #include <string>
 
 #include "render/frame_options.h"
-
-namespace CLI {
-class App;
-}
 
 namespace jalousie::app {
 
@@ -42,21 +38,10 @@ struct RenderOptions {
   render::RendererOptions rendererOptions;
 
   /// Fills in what follows from other options and refuses contradictions. Errors: kUsage.
+  /// Defined in render_command_line.cpp, which knows the table of options.
   void finish();
   /// The same for what has no output: the viewer.
   void finishFrame();
 };
-
-/// Declares the options that choose how a frame is culled and detailed, and none of camera and output.
-void addMethodOptions(CLI::App& command, RenderOptions& options);
-
-/// Declares the options that choose the cameras and the size of the picture.
-void addCameraOptions(CLI::App& command, RenderOptions& options);
-
-/// Declares the options that choose what is looked at.
-void addPictureOptions(CLI::App& command, RenderOptions& options);
-
-/// Declares all options on a subcommand; values land in options, which must outlive the parse.
-void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 }  // namespace jalousie::app

@@ -21,8 +21,8 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
 
 }  // namespace
 
-FrameRenderer::Parts::Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
-                            const RendererOptions& options, const gl::ShaderLibrary& shaders)
+FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
+                       const RendererOptions& options, const gl::ShaderLibrary& shaders)
     : scene(sceneData),
       capabilities(capabilitiesFor(options)),
       tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
@@ -44,8 +44,8 @@ FrameRenderer::Parts::Parts(const scene::SceneData& sceneData, std::uint32_t wid
   methods.resize(width, height);
 }
 
-void FrameRenderer::Parts::setViews(const FrameOptions& options, const scene::Camera& cullCamera,
-                                    const scene::Camera& drawCamera) {
+void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cullCamera,
+                          const scene::Camera& drawCamera) {
   const ViewSetting setting{targets.width,       targets.height,    buffers.objectCount(),
                             map.layout().levels, tessellationLimit, scene.boundsWorld};
   cullMode = options.cullMode;
@@ -55,15 +55,14 @@ void FrameRenderer::Parts::setViews(const FrameOptions& options, const scene::Ca
   visibility.setView(cullView);
 }
 
-bool FrameRenderer::Parts::countsNow(const FrameOptions& options) {
+bool FrameParts::countsNow(const FrameOptions& options) {
   const bool wanted = countsPixels(options);
   const bool now = wanted && countAge + 1 >= kCountInterval;
   countAge = now ? 0 : wanted ? countAge + 1 : kCountInterval;
   return now;
 }
 
-std::optional<FrameStatistics> FrameRenderer::Parts::statisticsOf(
-    const std::optional<visibility::FrameRecord>& record) const {
+std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visibility::FrameRecord>& record) const {
   if (!record) return std::nullopt;
   const gpu::CullView& view = record->view;
   const bool usesEarly = (view.traits & gpu::kTraitTestsOcclusion) != 0;

@@ -4,7 +4,6 @@
 #include "gl/capabilities.h"
 #include "gl/pass_timer.h"
 #include "render/frame_drawing.h"
-#include "render/frame_renderer.h"
 #include "render/frame_views.h"
 #include "render/make_statistics.h"
 #include "render/methods/method_table.h"
@@ -14,9 +13,9 @@
 namespace jalousie::render {
 
 /// Members refer to each other through the context, so the parts stay where they were made.
-struct FrameRenderer::Parts {
-  Parts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height, const RendererOptions& options,
-        const gl::ShaderLibrary& shaders);
+struct FrameParts {
+  FrameParts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
+             const RendererOptions& options, const gl::ShaderLibrary& shaders);
 
   const scene::SceneData& scene;
   gl::Capabilities capabilities;

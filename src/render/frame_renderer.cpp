@@ -8,8 +8,8 @@ namespace jalousie::render {
 
 FrameRenderer::FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
                              const RendererOptions& options)
-    : parts_(std::make_unique<Parts>(scene, width, height, options,
-                                     options.shaders != nullptr ? *options.shaders : gl::ShaderLibrary())) {}
+    : parts_(std::make_unique<FrameParts>(scene, width, height, options,
+                                          options.shaders != nullptr ? *options.shaders : gl::ShaderLibrary())) {}
 
 FrameRenderer::~FrameRenderer() = default;
 FrameRenderer::FrameRenderer(FrameRenderer&&) noexcept = default;
@@ -17,7 +17,7 @@ FrameRenderer& FrameRenderer::operator=(FrameRenderer&&) noexcept = default;
 
 void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cullCamera,
                            const scene::Camera& drawCamera) noexcept {
-  Parts& parts = *parts_;
+  FrameParts& parts = *parts_;
   CullMethod& method = parts.methods[options.cullMode];
   parts.timer.beginFrame();
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -46,7 +46,7 @@ void FrameRenderer::renderIds() noexcept {
 }
 
 void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
-  Parts& parts = *parts_;
+  FrameParts& parts = *parts_;
   parts.targets = Targets(width, height);
   parts.map.resize(visibility::mapLayout(width, height), &parts.targets.depth);
   parts.pyramid.resize(visibility::mapLayout(width, height));

@@ -30,6 +30,8 @@ class OcclusionMapPass;
 
 namespace jalousie::render {
 
+struct FrameParts;
+
 /// What the last frame decided about one object.
 struct ObjectReadout {
   gpu::ObjectState state{};
@@ -101,8 +103,7 @@ class FrameRenderer {
   std::uint32_t height() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<FrameParts> parts_;
 };
 
 }  // namespace jalousie::render

@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "app/render_command_line.h"
 #include "app/render_option_table.h"
 #include "app/view/actions.h"
 #include "app/view/command_text.h"

@@ -31,8 +31,7 @@ std::string FrameHistory::json(const std::string& renderer, bool gpuTiming) cons
   return root.dump(2) + "\n";
 }
 
-FrameSample makeSample(double seconds, const std::vector<PassTime>& passes,
-                       const render::FrameStatistics& statistics) {
+FrameSample makeSample(double seconds, const std::vector<PassTime>& passes, const render::FrameStatistics& statistics) {
   FrameSample sample;
   sample.seconds = seconds;
   sample.statistics = statistics;

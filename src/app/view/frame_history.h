@@ -36,7 +36,6 @@ class FrameHistory {
 };
 
 /// Sample of a frame. @param passes  times of the passes, in frame order
-FrameSample makeSample(double seconds, const std::vector<PassTime>& passes,
-                       const render::FrameStatistics& statistics);
+FrameSample makeSample(double seconds, const std::vector<PassTime>& passes, const render::FrameStatistics& statistics);
 
 }  // namespace jalousie::app

@@ -26,8 +26,8 @@ struct InspectedBlock {
   visibility::AnalysedBlock block;
   std::vector<double> spectrum;  ///< DCT of opacity - 1/2, F(u, v) at [v * width + u]
   float openShare = 1.0F;
-  float fineness = 0.0F;                  ///< phi of the spectral measure
-  float chordPixels = 0.0F;               ///< mean open chord; infinite if all texels are equally open
+  float fineness = 0.0F;                    ///< phi of the spectral measure
+  float chordPixels = 0.0F;                 ///< mean open chord; infinite if all texels are equally open
   std::array<float, kLvMeasureCount> lv{};  ///< by LvMeasure; kPixels has the value of kCoverage
 };
 

@@ -133,7 +133,8 @@ void drawMeasures(const Inspection& i, const RenderOptions& options) {
   titles({"measure", "LV", "occluded", "factor of tau"});
   for (const LvMeasureRow& measure : lvMeasureTable().subspan(1)) {  // the first one measures nothing
     const bool known = !measure.countsPixels || i.countedLv.has_value();
-    const float lv = measure.countsPixels ? i.countedLv.value_or(0.0F) : i.block->lv[static_cast<std::size_t>(measure.id)];
+    const float lv =
+        measure.countsPixels ? i.countedLv.value_or(0.0F) : i.block->lv[static_cast<std::size_t>(measure.id)];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::Text("%s%s", measure.name, options.frameOptions.lvMeasure == measure.id ? "  (in use)" : "");

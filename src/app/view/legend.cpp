@@ -136,9 +136,9 @@ void drawGhostLegend(const Region& region) {
 }
 
 void drawCoverLegend(const Region& region, bool showsMap) {
-  drawSwatches(region, showsMap ? "covered by occluders" : "farthest depth per texel",
-               {{IM_COL32_WHITE, showsMap ? "covered" : "near"},
-                {IM_COL32(0, 0, 0, 255), showsMap ? "open" : "nothing drawn"}});
+  drawSwatches(
+      region, showsMap ? "covered by occluders" : "farthest depth per texel",
+      {{IM_COL32_WHITE, showsMap ? "covered" : "near"}, {IM_COL32(0, 0, 0, 255), showsMap ? "open" : "nothing drawn"}});
 }
 
 }  // namespace

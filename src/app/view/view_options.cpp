@@ -6,6 +6,7 @@
 
 #include "app/gl_debug.h"
 #include "app/option_checks.h"
+#include "app/render_command_line.h"
 #include "core/error.h"
 
 namespace jalousie::app {

@@ -1,5 +1,5 @@
 // Declaration and checks of the options of `jalousie render`.
-#include "app/render_options.h"
+#include "app/render_command_line.h"
 
 #include <fmt/format.h>
 
@@ -15,15 +15,17 @@ namespace jalousie::app {
 namespace {
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("-o,--output", options.output, "Image to write")->type_name("OUT.png");
-  command.add_option("--json", options.json, "Write statistics as JSON; - for standard output")->type_name("STATS");
+  command.add_option("-o,--output", options.output, "Write the image to this file")->type_name("OUT.png");
+  command.add_option("--json", options.json, "Write statistics as JSON to this file; - for standard output")
+      ->type_name("STATS");
   command
-      .add_option("--repeat", options.repeat, "Render N times after one warm-up and report median times; 1: no warm-up")
+      .add_option("--repeat", options.repeat,
+                  "Render N times after one warm-up frame and report median times; with 1 there is no warm-up")
       ->check(inRange(1, 10000).description(""))
       ->type_name("N")
       ->capture_default_str();
-  command.add_flag("--stats-only", options.statsOnly, "Run the visibility passes only; no picture");
-  command.add_flag("-q,--quiet", options.quiet, "No summary on standard output");
+  command.add_flag("--stats-only", options.statsOnly, "Run the culling passes only and draw no picture");
+  command.add_flag("-q,--quiet", options.quiet, "Print no summary");
 }
 
 [[noreturn]] void refuse(const std::string& reason) {
@@ -60,20 +62,22 @@ void checkOutput(const RenderOptions& o) {
 }  // namespace
 
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--path", options.path, "glTF whose camera path --frame follows [the scene's own]")
+  command.add_option("--path", options.path, "Take the camera path from this glTF file [the scene's own]")
       ->type_name("PATH.glb");
   const CLI::Validator notNegative = inRange(0.0, 1e9).description("");
-  command.add_option("--frame", options.frame, "Frame of the camera path, 30 a second")
+  command.add_option("--frame", options.frame, "Render this frame of the camera path (30 frames per second)")
       ->check(notNegative)
       ->type_name("FRAME");
-  addPoint(command, "--eye", options.eye, "Camera position, world units; needs --look");
-  addPoint(command, "--look", options.look, "Point the camera looks at");
-  command.add_option("--freeze-frame", options.freezeFrame, "Cull from this frame's camera, draw from the other one")
+  addPoint(command, "--eye", options.eye, "Place the camera here, world units; needs --look");
+  addPoint(command, "--look", options.look, "Point the camera at this point, world units");
+  command
+      .add_option("--freeze-frame", options.freezeFrame,
+                  "Cull from the camera of this frame; draw from the other camera")
       ->check(notNegative)
       ->type_name("FRAME");
   addPoint(command, "--freeze-eye", options.freezeEye,
-           "Cull from this position, draw from the other camera; needs --freeze-look");
-  addPoint(command, "--freeze-look", options.freezeLook, "Point the frozen culling camera looks at");
+           "Cull from this position, world units; draw from the other camera; needs --freeze-look");
+  addPoint(command, "--freeze-look", options.freezeLook, "Point the culling camera at this point, world units");
   addSize(command, options.width, options.height);
 }
 
@@ -101,24 +105,26 @@ void RenderOptions::finishFrame() {
 }
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("scene", options.scene, "glTF or GLB file, baked or plain")->required()->type_name("SCENE.glb");
+  command.add_option("scene", options.scene, "glTF or GLB file, with or without LODs")
+      ->required()
+      ->type_name("SCENE.glb");
   addCameraOptions(command, options);
   addMethodOptions(command, options);
   addPictureOptions(command, options);
   addOutputOptions(command, options);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png
-      two-phase culling and levels within one pixel of error, from the start of the scene's camera path
+      default: two-phase culling, screen-space error of one pixel, start of the scene's camera path
   jalousie render scene.glb --frame 900 --mode hom --lod linear --view lod --json stats.json -o lod.png
-      the thesis' pipeline: which level every object got, and the figures
+      the method of the thesis: LOD of every object as a picture, statistics as JSON
   jalousie render scene.glb --freeze-frame 0 --eye 0,40,-90 --look 0,0,0 -o behind.png
-      what the camera at frame 0 left over, seen from behind
+      what remains after culling from the camera of frame 0, seen from behind
   jalousie render scene.glb --mode frustum --stats-only --json -
-      triangles without occlusion culling, no picture
+      count triangles without occlusion culling; no picture
   jalousie render scene.glb --settle 0 --view phase -o cut.png
-      the frame after a cut: what went into it before the test, and what only after it
+      first frame after a camera cut: objects by the phase that drew them
   jalousie render scene.glb --tau 2 --min-pixels 4 --importance mask.png -o cheap.png
-      a smaller budget, least where the mask is dark
+      screen-space error of two pixels, more where the mask is dark
 )");
 }
 
