@@ -43,6 +43,14 @@ std::string rulesWithError() {
   return "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::followsError);
 }
 
+/// The default depends on the mode.
+std::string occluderTauHelp() {
+  std::string defaults;
+  for (const CullModeRow& row : cullModeTable())
+    if (row.usesMap) defaults += fmt::format("{}{}: {:g}", defaults.empty() ? "" : ", ", row.name, row.occluderTau);
+  return fmt::format("Limit the screen-space error of the levels drawn into the occlusion map [{}]", defaults);
+}
+
 /// A choice among the rows of a table. @param kOf  lends the value
 template <class Id, std::span<const typename std::remove_cvref_t<decltype(rowOf(Id{}))>> (*kTable)(),
           Id& (*kOf)(Options&)>
@@ -108,9 +116,7 @@ std::vector<RenderOption> cullingRows() {
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderDistance; }, 0.0F,
                         1e30F},
        modesWithMap(), drawsMap},
-      {"--occluder-tau", "occluder error", "pixels",
-       "Limit the screen-space error of the levels drawn into the occlusion map [hom: 0, hom-depth: 0.5]",
-       OptionGroup::kCulling,
+      {"--occluder-tau", "occluder error", "pixels", occluderTauHelp(), OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderTau; }, 0.0F, 1000.0F},
        modesWithMap(), drawsMap},
       {"--cull-threshold", "cull threshold", "opacity",
@@ -130,7 +136,7 @@ std::vector<RenderOption> levelRows() {
        followsError},
       {"--lv", "visibility measure", "",
        "Choose the measure of LV (level of visibility). " + policy::helpOf(lvMeasureTable()) +
-           " [linear: thesis; lv-error and --view lv: pixels]",
+           " [linear: thesis, lv-error and --view lv: pixels]",
        OptionGroup::kDetail, measureChoice(), "--lod linear, --lod lv-error or --view lv",
        [](const Options& o) { return wantsLv(o.frameOptions) || o.lv == LvMeasure::kNone; }},
       {"--relax", "relaxation", "times tau",
@@ -174,11 +180,11 @@ std::vector<RenderOption> detailRows() {
 std::vector<RenderOption> drawingRows() {
   return {
       {"--draws", "draw commands", "",
-       "Choose the draw commands; the image is the same. instanced: one command per mesh and level; per-object: one "
+       "Choose the draw commands; the image is the same. instanced = one command per mesh and level; per-object = one "
        "command per object",
        OptionGroup::kDrawing, submissionChoice()},
       {"--capacity", "list capacity", "objects",
-       "Limit the objects that one draw list holds; further objects are not drawn, counted and reported [all]",
+       "Limit the objects that one draw list holds; further objects are counted, reported and not drawn [all]",
        OptionGroup::kDrawing,
        MaybeCountValue{[](Options& o) -> std::optional<std::uint32_t>& { return o.rendererOptions.capacity; }, 1,
                        0x3fffffffU}},

@@ -66,7 +66,7 @@ constexpr CullModeRow kModes[] = {
      .needsHistory = true,
      .readsBack = false,
      .occluderTau = 0.0F,
-     .help = "two phases against a depth pyramid; never culls a visible object"},
+     .help = "two phases against a depth pyramid, never culls a visible object"},
 };
 static_assert(policy::isInOrder(kModes));
 

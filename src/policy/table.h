@@ -45,12 +45,12 @@ std::vector<std::string> namesOf(std::span<const Row> rows) {
   return names;
 }
 
-/// "NAME: help; NAME: help": one help text for all rows.
+/// "NAME = help; NAME = help": one help text for all rows.
 template <class Row>
 std::string helpOf(std::span<const Row> rows) {
   std::string text;
   for (const Row& row : rows)
-    text += (text.empty() ? "" : "; ") + std::string(row.name) + ": " + row.help;
+    text += (text.empty() ? "" : "; ") + std::string(row.name) + " = " + row.help;
   return text;
 }
 

@@ -180,7 +180,8 @@ TEST(Hierarchy, QueriesGiveWhatBruteForceGives) {
   }
   EXPECT_GT(visited, 100U);
   EXPECT_LT(visited, scene.objects.size());
-  EXPECT_LT(tests, 3 * scene.objects.size() / 2) << "nodes that fail are skipped with everything below them";
+  // Brute force takes one test per object and camera.
+  EXPECT_LT(tests, 2 * scene.objects.size()) << "nodes that fail are skipped with everything below them";
 }
 
 TEST(Hierarchy, ObjectsThatShareATransformAndOverflowsHaveBoxes) {
