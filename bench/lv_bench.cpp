@@ -19,8 +19,8 @@ int main(int argc, char** argv) {
   measures      triangles and image error for every visibility measure
   calm          LOD switches on a path of 0.25 degrees per frame and under jitter, and the change that one switch makes
   calm-default  the same for the temporally stable configurations only
-VIEW is a frame of the scene's camera path, or EYE:LOOK as X,Y,Z:X,Y,Z in world units. The baselines are two-phase culling
-and frustum culling with levels by pixel error. The exit code is 1 if a picture or a count is wrong.
+VIEW is a frame of the scene's camera path, or EYE:LOOK as X,Y,Z:X,Y,Z in world units. The baselines are two-phase
+culling and frustum culling with levels by pixel error. The exit code is 1 if a picture or a count is wrong.
 Examples:
   lv_bench worth city.glb 300 900
       measures two frames of the camera path

@@ -1,4 +1,5 @@
-// Frustum test, screen rectangle, nearest depth and size of one box (thesis 3.2, 3.4, 4.1.2; docs/two_phase_culling.md).
+// Frustum test, screen rectangle, nearest depth and size of one box (thesis 3.2, 3.4, 4.1.2;
+// docs/two_phase_culling.md).
 // CPU twin: src/visibility/classify_reference.cpp
 //
 // All results are rounded outwards: the vertex stage computes the same sums for other points of the box, and each of

@@ -21,7 +21,8 @@ vec3 viewTint(uint objectId) {
   if (drawView.view == kViewPhase) return phaseColor(state.verdict, marks[objectId]);
   uint lodCount = chains[objects[objectId].chain].lodCount;
   float coarseness = drawView.patches != 0u
-                         ? float(drawView.maxTessellation - state.tessellation) / float(max(drawView.maxTessellation, 2u) - 1u)
+                         ? float(drawView.maxTessellation - state.tessellation) /
+                               float(max(drawView.maxTessellation, 2u) - 1u)
                          : float(state.lod) / float(max(lodCount, 2u) - 1u);
   vec3 color = lodColor(state.verdict == kVerdictOccluder, coarseness);
   return drawView.view == kViewLines ? lineColor(color) : color;

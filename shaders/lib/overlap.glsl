@@ -1,5 +1,6 @@
 // Pyramid addressing of the overlap test (thesis 3.4, Eq. 3.1). Texel (x, y) of level L stands for exactly the pixels
-// [x << L, (x + 1) << L), [y << L, (y + 1) << L), clipped to the screen.  CPU twin: src/visibility/overlap_reference.cpp
+// [x << L, (x + 1) << L), [y << L, (y + 1) << L), clipped to the screen.  CPU twin:
+// src/visibility/overlap_reference.cpp
 
 /// Smallest level whose texels are at least `extent` pixels wide: ceil(log2(extent)), exact, 0 below one pixel.
 uint levelForExtent(float extent) {
@@ -21,7 +22,8 @@ uint texelArea(uvec2 texel, uint level, uvec2 viewport) {
   return size.x * size.y;
 }
 
-/// One dimension of the analysed block: first texel and count (at most kMaxBlockSide) of those that [first, last] touches.
+/// One dimension of the analysed block: first of the texels that [first, last] touches, and their count (at
+/// most kMaxBlockSide).
 /// A misaligned span can touch 17: the end that the rectangle covers less is left out.
 uvec2 blockSpan(uint firstPixel, uint lastPixel, float lower, float upper, uint level) {
   uint first = firstPixel >> level;

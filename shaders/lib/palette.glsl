@@ -1,4 +1,5 @@
-// Colours of the debug views as functions of what they show. Include shared/palette.h and shared/frame_structs.h before.
+// Colours of the debug views as functions of what they show. Include first: shared/palette.h,
+// shared/frame_structs.h.
 // All results are linear RGB.
 
 /// Occluders are red, other objects blue, coarser levels lighter (thesis Fig. 4.3).

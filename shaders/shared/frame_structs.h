@@ -9,9 +9,9 @@ JAL_SHARED_BEGIN
 
 /// Culling camera and policy; std140 uniform block.
 struct CullView {
-  mat4 clipFromWorld;      // reversed depth: near plane at z = w, far plane at z = 0
-  vec4 cameraWorld;        // xyz position, w distance of the near plane
-  uint viewportWidth;      // pixels
+  mat4 clipFromWorld;  // reversed depth: near plane at z = w, far plane at z = 0
+  vec4 cameraWorld;    // xyz position, w distance of the near plane
+  uint viewportWidth;  // pixels
   uint viewportHeight;
   uint objectCount;
   uint traits;             // kTrait...
@@ -27,12 +27,12 @@ struct CullView {
   uint importanceLevels;   // levels of the importance mask; 0: no mask
   uint importanceWidth;    // texels of its finest level
   uint importanceHeight;
-  float relax;             // with both kTraitFollowsError and kTraitFollowsLv tau grows to at most tau * (1 + relax)
-  uint calm;               // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
-  uint countsValid;        // 1: the pixels of the last frame were counted
-  uint measureCover;       // 1: analyse.comp fills ScreenBox.cover, for the views
-  float hysteresis;        // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
-  uint fadeFrames;         // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
+  float relax;        // with both kTraitFollowsError and kTraitFollowsLv tau grows to at most tau * (1 + relax)
+  uint calm;          // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
+  uint countsValid;   // 1: the pixels of the last frame were counted
+  uint measureCover;  // 1: analyse.comp fills ScreenBox.cover, for the views
+  float hysteresis;   // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
+  uint fadeFrames;    // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
   uint reserved0;
   uint reserved1;
 };
@@ -40,13 +40,13 @@ JAL_ASSERT_SIZE(CullView, 176)
 
 /// One draw list; std140 uniform block, written once.
 struct ListView {
-  uint phase;              // kMarkEarly or kMarkLate
+  uint phase;  // kMarkEarly or kMarkLate
   uint tileCount;
   uint binCount;
-  uint entryCount;         // length of the array that the prefix sum runs over: all counts and a zero
-  uint capacity;           // most instances the list holds
-  uint commandCapacity;    // commands per list: one per bin, or one per instance
-  uint patches;            // 1: the lists of patches exist
+  uint entryCount;       // length of the array that the prefix sum runs over: all counts and a zero
+  uint capacity;         // most instances the list holds
+  uint commandCapacity;  // commands per list: one per bin, or one per instance
+  uint patches;          // 1: the lists of patches exist
   uint reserved0;
 };
 JAL_ASSERT_SIZE(ListView, 32)
@@ -55,7 +55,7 @@ JAL_ASSERT_SIZE(ListView, 32)
 struct ReduceView {
   uint screenWidth;
   uint screenHeight;
-  uint sourceLevel;        // of the source texture
+  uint sourceLevel;  // of the source texture
   uint reserved0;
 };
 JAL_ASSERT_SIZE(ReduceView, 16)
@@ -69,7 +69,7 @@ const uint kViewCoverage = 5u;   // covered share of the block in front of it
 const uint kViewHoles = 6u;      // mean open chord of that block
 const uint kViewWireframe = 7u;  // colours of kViewLod under lines
 const uint kViewOverdraw = 8u;
-const uint kViewGhosts = 9u;     // shaded, with the culled objects over it
+const uint kViewGhosts = 9u;  // shaded, with the culled objects over it
 const uint kViewCount = 10u;
 // Parts of a view, never asked for by themselves.
 const uint kViewLines = 100u;
@@ -78,17 +78,17 @@ const uint kViewGhost = 101u;
 /// Drawing camera; std140 uniform block.
 struct DrawView {
   mat4 clipFromWorld;
-  vec4 cameraWorld;        // xyz position
-  vec4 lightWorld;         // xyz unit vector towards the key light
-  uint view;               // kView...
-  uint patches;            // 1: draws tessellated patches
-  uint mapLevel;           // level shown by kViewOcclusion
-  float phongAlpha;        // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
+  vec4 cameraWorld;  // xyz position
+  vec4 lightWorld;   // xyz unit vector towards the key light
+  uint view;         // kView...
+  uint patches;      // 1: draws tessellated patches
+  uint mapLevel;     // level shown by kViewOcclusion
+  float phongAlpha;  // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
   uint viewportWidth;
   uint viewportHeight;
-  uint maxTessellation;    // as in CullView; scales the colours of kViewLod
-  float depthGuard;        // share of its distance by which the occlusion pass moves a surface away from the eye
-  uint fadeFrames;         // as in CullView
+  uint maxTessellation;  // as in CullView; scales the colours of kViewLod
+  float depthGuard;      // share of its distance by which the occlusion pass moves a surface away from the eye
+  uint fadeFrames;       // as in CullView
   uint reserved0;
   uint reserved1;
   uint reserved2;
@@ -96,31 +96,31 @@ struct DrawView {
 JAL_ASSERT_SIZE(DrawView, 144)
 
 // Verdicts. kVerdictOutside, kVerdictOccluded and kVerdictSmall are not drawn, all others are.
-const uint kVerdictOutside = 0u;    // outside the frustum
-const uint kVerdictOccluded = 1u;   // occluded: not drawn
-const uint kVerdictOccluder = 2u;   // drawn into the occlusion map
-const uint kVerdictNear = 3u;       // crosses the near plane: no finite AABR, visible
-const uint kVerdictOpen = 4u;       // an occludee with nothing in front of it
-const uint kVerdictPartial = 5u;    // partly covered: LV was computed
-const uint kVerdictPending = 6u;    // an occludee before the overlap test; also the final state without a map
-const uint kVerdictSmall = 7u;      // covers fewer pixels than the contribution threshold
-const uint kVerdictStale = 8u;      // drawn in phase 1 because it was visible in the last frame, but occluded
+const uint kVerdictOutside = 0u;   // outside the frustum
+const uint kVerdictOccluded = 1u;  // occluded: not drawn
+const uint kVerdictOccluder = 2u;  // drawn into the occlusion map
+const uint kVerdictNear = 3u;      // crosses the near plane: no finite AABR, visible
+const uint kVerdictOpen = 4u;      // an occludee with nothing in front of it
+const uint kVerdictPartial = 5u;   // partly covered: LV was computed
+const uint kVerdictPending = 6u;   // an occludee before the overlap test; also the final state without a map
+const uint kVerdictSmall = 7u;     // covers fewer pixels than the contribution threshold
+const uint kVerdictStale = 8u;     // drawn in phase 1 because it was visible in the last frame, but occluded
 const uint kVerdictCount = 9u;
 
 // Flags of an object: its history, and the phases in which it is drawn.
-const uint kMarkVisible = 1u;   // passed the last visibility test
-const uint kMarkEarly = 2u;     // first phase: into the occlusion map, or into the frame before the test
-const uint kMarkLate = 4u;      // into the frame after the test
-const uint kMarkMirrored = 8u;  // the transform has a negative determinant: front faces wind clockwise
-const uint kMarkTested = 16u;   // two phases: was in view and tested, so that kMarkVisible is valid
-const uint kMarkKnown = 32u;    // was drawn in the last frame too
-const uint kMarkSwitched = 64u; // drawn at another level than in the last frame
+const uint kMarkVisible = 1u;        // passed the last visibility test
+const uint kMarkEarly = 2u;          // first phase: into the occlusion map, or into the frame before the test
+const uint kMarkLate = 4u;           // into the frame after the test
+const uint kMarkMirrored = 8u;       // the transform has a negative determinant: front faces wind clockwise
+const uint kMarkTested = 16u;        // two phases: was in view and tested, so that kMarkVisible is valid
+const uint kMarkKnown = 32u;         // was drawn in the last frame too
+const uint kMarkSwitched = 64u;      // drawn at another level than in the last frame
 const uint kMarkFromCoarser = 128u;  // the level that fades out is the next coarser one, else the next finer
 const uint kMarkCounted = 256u;      // has been drawn since the last frame whose pixels were counted
 const uint kMarkCalm = 512u;         // the frame was calm, whether it drew the object or not
 const uint kMarkRemembered = 1024u;  // the frame before was calm: its level and LV are valid
 const uint kMarkMeasured = 2048u;    // the remembered LV comes from a count: the next ones are smoothed
-const uint kMarkFadeShift = 12u;     // first bit of the frames that the cross-fade still takes, this one included; 0: none
+const uint kMarkFadeShift = 12u;  // first bit of the frames that the cross-fade still takes, this one included; 0: none
 const uint kMarkFadeMask = 0xf080u;  // kMarkFromCoarser and the frames
 
 // An entry of an instance list: an object, and whether its level fades in or out.
@@ -130,10 +130,10 @@ const uint kInstanceObject = 0x3fffffffu;
 
 /// What the kernels decided for one object.
 struct ObjectState {
-  uint verdict;            // kVerdict...
-  uint lod;                // level of the discrete chain, 0 finest
-  uint tessellation;       // level of the patch path, 1..kMaxTessellationLevel
-  float lv;                // normalised level of visibility, about [-1.83, 1]; -1: fully visible
+  uint verdict;       // kVerdict...
+  uint lod;           // level of the discrete chain, 0 finest
+  uint tessellation;  // level of the patch path, 1..kMaxTessellationLevel
+  float lv;           // normalised level of visibility, about [-1.83, 1]; -1: fully visible
 };
 JAL_ASSERT_SIZE(ObjectState, 16)
 
@@ -142,14 +142,14 @@ const uint kCoverOpen = 0x78000000u;
 
 /// Where an object is on the screen and how large it is there.
 struct ScreenBox {
-  float minX;              // rectangle clipped to the viewport, pixels, origin at the lower left
+  float minX;  // rectangle clipped to the viewport, pixels, origin at the lower left
   float minY;
   float maxX;
   float maxY;
-  float nearestDepth;      // upper bound of the window depth of any of its points; larger is nearer
-  float pixelsPerUnit;     // upper bound of pixels per object-space unit of error
-  float tau;               // allowed screen-space error, pixels: that of the view, divided by the importance
-  uint cover;              // two halves: covered share of the block in front of it, its mean open chord in pixels
+  float nearestDepth;   // upper bound of the window depth of any of its points; larger is nearer
+  float pixelsPerUnit;  // upper bound of pixels per object-space unit of error
+  float tau;            // allowed screen-space error, pixels: that of the view, divided by the importance
+  uint cover;           // two halves: covered share of the block in front of it, its mean open chord in pixels
 };
 JAL_ASSERT_SIZE(ScreenBox, 32)
 

@@ -60,8 +60,8 @@ const uint kMaxDescent = 2u;
 const uint kSlotBinBits = 8u;
 const uint kNoBin = 0xffffffffu;
 
-/// Two phases: an object that comes into view is drawn before the test if its rectangle covers at least this share of the
-/// screen, because it probably occludes more than it costs.
+/// Two phases: an object that comes into view is drawn before the test if its rectangle covers at least this share of
+/// the screen, because it probably occludes more than it costs.
 const float kLargeShare = 1.0 / 32.0;
 
 /// Bound of the rounding error of a clip-space component, as a share of the sum of the magnitudes that went into it.

@@ -18,22 +18,22 @@ JAL_ASSERT_SIZE(Transform, 48)
 /// One object: the unit of culling and of the choice of detail. It is an instance of the file or a part of one. Objects
 /// are sorted by chain, so that the objects of one level lie side by side in the draw lists.
 struct Object {
-  uint chain;             // index into chains
-  uint transform;         // index into transforms
-  uint owner;             // instance that the object is, or is a part of: index in the file's order
+  uint chain;      // index into chains
+  uint transform;  // index into transforms
+  uint owner;      // instance that the object is, or is a part of: index in the file's order
   uint reserved0;
 };
 JAL_ASSERT_SIZE(Object, 16)
 
 /// One LOD chain. Its box bounds every level, and the tessellated surface where that path is in use.
 struct Chain {
-  vec4 boundsMinObject;   // xyz, object space
+  vec4 boundsMinObject;  // xyz, object space
   vec4 boundsMaxObject;
-  uint firstLod;          // index into lods of LOD 0
-  uint lodCount;          // >= 1
-  uint patchLod;          // index into lods of the base mesh for tessellation
-  uint binCount;          // 2 per level: plain and mirrored; at least 4 where there is a patch base
-  uint firstEntry;        // of the chain's counts, [binCount][tileCount] in the array that the prefix sum runs over
+  uint firstLod;    // index into lods of LOD 0
+  uint lodCount;    // >= 1
+  uint patchLod;    // index into lods of the base mesh for tessellation
+  uint binCount;    // 2 per level: plain and mirrored; at least 4 where there is a patch base
+  uint firstEntry;  // of the chain's counts, [binCount][tileCount] in the array that the prefix sum runs over
   uint tileCount;
   uint reserved0;
   uint reserved1;
@@ -43,42 +43,42 @@ JAL_ASSERT_SIZE(Chain, 64)
 /// Up to kObjectGroupSize consecutive objects of one chain.
 struct Tile {
   uint firstObject;
-  uint objectCount;       // 1..kObjectGroupSize
+  uint objectCount;  // 1..kObjectGroupSize
   uint chain;
-  uint tileOfChain;       // 0 for the chain's first tile
+  uint tileOfChain;  // 0 for the chain's first tile
 };
 JAL_ASSERT_SIZE(Tile, 16)
 
 /// One bin of one chain: what one instanced command draws.
 struct Bin {
   uint chain;
-  uint bin;               // 2 * level + mirrored; with tessellation level 0 is the plain base, level 1 its patches
+  uint bin;  // 2 * level + mirrored; with tessellation level 0 is the plain base, level 1 its patches
 };
 JAL_ASSERT_SIZE(Bin, 8)
 
 /// One level: a range of the scene's index buffer: solid triangles, then sheets, then blended ones.
 struct Lod {
   uint firstIndex;
-  uint solidCount;        // indices of single-sided opaque triangles
-  uint sheetCount;        // indices of double-sided or masked triangles
-  uint blendCount;        // indices of blended triangles
+  uint solidCount;  // indices of single-sided opaque triangles
+  uint sheetCount;  // indices of double-sided or masked triangles
+  uint blendCount;  // indices of blended triangles
   int baseVertex;
-  uint triangleCount;     // (solidCount + sheetCount + blendCount) / 3
-  float errorObject;      // deviation from LOD 0, object-space length; of a patch base: its flat triangles from its
-                          // own curved surface. Infinite where unknown
+  uint triangleCount;  // (solidCount + sheetCount + blendCount) / 3
+  float errorObject;   // deviation from LOD 0, object-space length; of a patch base: its flat triangles from its
+                       // own curved surface. Infinite where unknown
   uint reserved0;
 };
 JAL_ASSERT_SIZE(Lod, 32)
 
-const uint kMaterialMask = 1u;         // discard below the cutoff
-const uint kMaterialBlend = 2u;        // ordered dither by alpha; never occludes
+const uint kMaterialMask = 1u;   // discard below the cutoff
+const uint kMaterialBlend = 2u;  // ordered dither by alpha; never occludes
 const uint kMaterialDoubleSided = 4u;
 const uint kMaterialTextured = 8u;
 
 struct Material {
-  vec4 baseColor;         // linear RGB, alpha
-  uint layer;             // of the base colour array texture, with kMaterialTextured
-  uint flags;             // kMaterial...
+  vec4 baseColor;  // linear RGB, alpha
+  uint layer;      // of the base colour array texture, with kMaterialTextured
+  uint flags;      // kMaterial...
   float alphaCutoff;
   uint reserved0;
 };
@@ -90,7 +90,7 @@ struct DrawCommand {
   uint instanceCount;
   uint firstIndex;
   int baseVertex;
-  uint baseInstance;      // first entry of the instance list, which holds object ids
+  uint baseInstance;  // first entry of the instance list, which holds object ids
 };
 JAL_ASSERT_SIZE(DrawCommand, 20)
 

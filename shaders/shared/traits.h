@@ -8,15 +8,15 @@
 JAL_SHARED_BEGIN
 
 // Culling mode.
-const uint kTraitCulls = 1u;            // objects outside the frustum or below minPixels are not drawn
-const uint kTraitTestsOcclusion = 2u;   // analyse.comp tests what classify.comp leaves pending
-const uint kTraitUsesMap = 4u;          // occluders are drawn into an occlusion map before the test
-const uint kTraitUsesDepth = 8u;        // a texel occludes only what lies behind its farthest depth
-const uint kTraitTwoPhases = 16u;       // what was visible in the last frame is drawn before the test
+const uint kTraitCulls = 1u;           // objects outside the frustum or below minPixels are not drawn
+const uint kTraitTestsOcclusion = 2u;  // analyse.comp tests what classify.comp leaves pending
+const uint kTraitUsesMap = 4u;         // occluders are drawn into an occlusion map before the test
+const uint kTraitUsesDepth = 8u;       // a texel occludes only what lies behind its farthest depth
+const uint kTraitTwoPhases = 16u;      // what was visible in the last frame is drawn before the test
 
 // Level rule. With both bits, the level of visibility relaxes the error budget.
-const uint kTraitFollowsError = 256u;   // levels follow the screen-space error
-const uint kTraitFollowsLv = 512u;      // levels follow the level of visibility
+const uint kTraitFollowsError = 256u;  // levels follow the screen-space error
+const uint kTraitFollowsLv = 512u;     // levels follow the level of visibility
 
 // Visibility measure; none of them: LV stays at its least value.
 const uint kTraitLvThesis = 65536u;     // four DCT coefficients (thesis 3.5)
@@ -26,7 +26,7 @@ const uint kTraitLvCoverage = 524288u;  // covered share alone
 const uint kTraitLvPixels = 1048576u;   // visible pixels, counted; the covered share where there is no count yet
 
 // Detail path.
-const uint kTraitPatches = 16777216u;   // Phong-tessellated patches instead of the discrete LOD chain
+const uint kTraitPatches = 16777216u;  // Phong-tessellated patches instead of the discrete LOD chain
 
 JAL_SHARED_END
 

@@ -196,8 +196,8 @@ OverlapResult testOverlap(Probe probe, bool wantsBlock) {
   return OverlapResult(kVerdictPartial, blockLv(sums, float(1u << block.level)));
 }
 
-/// What the result changes in an object: verdict, LV, phase, and where the level rule follows LV the detail of an object
-/// that is drawn late.
+/// What the result changes in an object: verdict, LV, phase, and where the level rule follows LV the detail of an
+/// object that is drawn late.
 void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectState state, inout uint mark) {
   ObjectState last = state;
   bool early = (mark & kMarkEarly) != 0u;

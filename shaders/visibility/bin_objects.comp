@@ -1,7 +1,7 @@
 // First step of a draw list: how many instances of every bin each tile of objects holds, and each object's rank among
 // those of its tile (docs/two_phase_culling.md, "Ordered lists"). Atomics only count; the order is the objects' own.
-// An object in a cross-fade has a second instance at the level that fades out; the second instances of a tile follow all
-// its first ones.
+// An object in a cross-fade has a second instance at the level that fades out; the second instances of a tile follow
+// all its first ones.
 //
 // One workgroup: one tile. Reads tiles, chains, lods, states, boxes, marks. Writes slots, entries.
 // Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp

@@ -1,10 +1,10 @@
-// Counts the visible pixels of each object in the item buffer (docs/level_of_visibility.md). Whole numbers, so the order in
-// which atomics add them does not matter.
+// Counts the visible pixels of each object in the item buffer (docs/level_of_visibility.md). Whole numbers, so the
+// order in which atomics add them does not matter.
 //
-// One thread: one block of kCountBlockWidth x kCountBlockHeight pixels; a run of pixels of one object is added at once, and
-// the pixels of the workgroup's first object once per workgroup.
-// Reads the item buffer. Adds to pixelCounts, which the frame cleared. Barrier owed: SHADER_STORAGE for the next frame's
-// classify.comp. CPU twin: src/visibility/item_buffer.cpp
+// One thread: one block of kCountBlockWidth x kCountBlockHeight pixels; a run of pixels of one object is added at once,
+// and the pixels of the workgroup's first object once per workgroup.
+// Reads the item buffer. Adds to pixelCounts, which the frame cleared. Barrier owed: SHADER_STORAGE for the next
+// frame's classify.comp. CPU twin: src/visibility/item_buffer.cpp
 #version 450 core
 #include "shared/limits.h"
 

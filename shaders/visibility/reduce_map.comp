@@ -1,8 +1,9 @@
 // One level of the occlusion map from the one below: open pixels add up (thesis 3.3; docs/occlusion_map.md).
 //
-// The map stores the number of open pixels, not the mean opacity: sums of whole numbers are exact in 32-bit floats up to
-// 2^24 pixels, so a one-pixel hole is never rounded away and CPU and GPU agree bit for bit.
-// One thread: one texel of the target. Barrier owed: SHADER_IMAGE_ACCESS for the next level, TEXTURE_FETCH for analyse.comp.
+// The map stores the number of open pixels, not the mean opacity: sums of whole numbers are exact in 32-bit floats up
+// to 2^24 pixels, so a one-pixel hole is never rounded away and CPU and GPU agree bit for bit.
+// One thread: one texel of the target. Barrier owed: SHADER_IMAGE_ACCESS for the next level, TEXTURE_FETCH for
+// analyse.comp.
 // CPU twin: src/visibility/occlusion_map_reference.cpp
 #version 450 core
 #include "shared/limits.h"

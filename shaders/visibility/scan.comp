@@ -1,8 +1,8 @@
 // Exclusive prefix sums of blocks of kScanBlock numbers, in place.
 //
 // First dispatch: one workgroup per block of entries, which also writes the block's total. Second dispatch, with
-// JAL_SCAN_SUMS: one workgroup sums up the totals, kScanBlock of them per round, and carries the sum from round to round;
-// up to 2^20 entries take one round. The sums are integers, so the result does not depend on the order of additions.
+// JAL_SCAN_SUMS: one workgroup sums up the totals, kScanBlock of them per round, and carries the sum from round to
+// round; up to 2^20 entries take one round. The sums are integers: the order of additions does not matter.
 // Barrier owed: SHADER_STORAGE. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"

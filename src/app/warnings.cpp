@@ -1,4 +1,4 @@
-// Their texts.
+// Texts of the warnings.
 #include "app/warnings.h"
 
 #include <fmt/format.h>

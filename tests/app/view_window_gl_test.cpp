@@ -133,8 +133,7 @@ TEST_F(ViewWindow, InspectionAgreesWithTheKernel) {
   int measured = 0;
   for (std::uint32_t trial = 0; trial < 24; ++trial) {
     const std::uint32_t object = std::array{7U, 8U, 9U, 12U, 14U, 17U, 18U, 19U}[trial / 3];
-    options.render.frameOptions.cullMode =
-        std::array{CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}[trial % 3];
+    options.render.frameOptions.cullMode = std::array{CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}[trial % 3];
     options.select = object;
     options.finish();
     viewer_.reset();  // one interface at a time

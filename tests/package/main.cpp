@@ -2,6 +2,8 @@
 #include <core/error.h>
 #include <platform/headless_context.h>
 #include <render/frame_renderer.h>
+#include <scene/camera.h>
+#include <scene/scene_data.h>
 
 #include <cstdio>
 

@@ -29,7 +29,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"src/scene", {"src/core", "src/asset", "shaders/shared"}},
       {"src/visibility", {"src/core", "src/policy", "src/scene", "src/gl", "shaders/shared"}},
       {"src/render", {"src/core", "src/policy", "src/scene", "src/visibility", "src/gl", "shaders/shared"}},
-      {"src/compare", {"src/core", "src/asset", "src/policy", "src/scene", "src/visibility", "src/render", "shaders/shared"}},
+      {"src/compare",
+       {"src/core", "src/asset", "src/policy", "src/scene", "src/visibility", "src/render", "shaders/shared"}},
       {"src/app",
        {"src/core", "src/asset", "src/gl", "src/platform", "src/policy", "src/scene", "src/visibility", "src/render",
         "src/compare", "shaders/shared"}},
@@ -127,7 +128,7 @@ std::string targetRoom(const std::string& path, const std::string& header, const
     if (files.contains(candidate)) return roomOf(candidate);
   if (header.find('/') == std::string::npos) return {};
   for (const char* root : {"src/", "preprocess/", "shaders/"})
-    if (const std::string room = roomOf(root + header); !room.empty()) return room;
+    if (std::string room = roomOf(root + header); !room.empty()) return room;
   return {};
 }
 

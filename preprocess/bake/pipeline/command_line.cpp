@@ -197,7 +197,7 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
   program
       .add_option("--preset", chain.preset,
                   "Choose the simplification. best: collapse on position and attributes, two rounds of refit; "
-                  "fast: collapse on position, one round; draft: meshoptimizer, no refit")
+                  "fast: collapse without weighting normals, one round of refit; draft: meshoptimizer, no refit")
       ->transform(CLI::Validator(CLI::CheckedTransformer(
                                      std::map<std::string, Preset>{
                                          {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},

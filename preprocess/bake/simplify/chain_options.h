@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kMaxLevels = 16;
 
 enum class Preset : std::uint8_t {
   kBest,   ///< collapse on position and attributes, two rounds of refit
-  kFast,   ///< collapse on position, one round of refit on fewer samples
+  kFast,   ///< collapse without weighting normals, one round of refit on fewer samples
   kDraft,  ///< meshoptimizer, no refit
 };
 

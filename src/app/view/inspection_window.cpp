@@ -72,14 +72,15 @@ void drawBlock(const visibility::AnalysedBlock& block, float side) {
   const float texel = std::floor(side / static_cast<float>(std::max(block.x.count, block.y.count)));
   const float width = texel * static_cast<float>(block.x.count);
   const float height = texel * static_cast<float>(block.y.count);
-  for (std::uint32_t j = 0; j < block.y.count; ++j)
+  for (std::uint32_t j = 0; j < block.y.count; ++j) {
     for (std::uint32_t i = 0; i < block.x.count; ++i) {
-      const auto grey = static_cast<int>(255.0F * block.opacity[j * block.x.count + i] + 0.5F);
+      const auto grey = static_cast<int>(std::lround(255.0F * block.opacity[j * block.x.count + i]));
       const float x = origin.x + texel * static_cast<float>(i);
       const float y = origin.y + height - texel * static_cast<float>(j + 1);
       list.AddRectFilled({x, y}, {x + texel, y + texel}, IM_COL32(grey, grey, grey, 255));
       list.AddRect({x, y}, {x + texel + 1.0F, y + texel + 1.0F}, kLine);
     }
+  }
   list.AddRect(origin, {origin.x + width, origin.y + height}, kAccentColor);
   ImGui::Dummy({side, height});
 }

@@ -56,7 +56,7 @@ void drawSwatches(const Region& region, const char* title, const std::vector<Swa
 
 std::uint8_t srgbByte(float linear) {
   const float c = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::clamp(c, 0.0F, 1.0F) * 255.0F + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0F, 1.0F) * 255.0F));
 }
 
 ImU32 srgb(const glm::vec3& linear) {

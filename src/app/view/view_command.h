@@ -6,8 +6,8 @@
 namespace jalousie::app {
 
 /// Runs the viewer until its window is closed. @param options  finished
-/// Errors: as Viewer::finish(); kNoGpu without a display, with a message that names the headless command; kInternal with
-/// --debug after an OpenGL message of medium or high severity.
+/// Errors: as Viewer::finish(); kNoGpu without a display, with a message that names the headless command; kInternal
+/// with --debug after an OpenGL message of medium or high severity.
 void runView(const ViewOptions& options);
 
 }  // namespace jalousie::app
