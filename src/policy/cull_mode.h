@@ -20,16 +20,16 @@ enum class CullMode : gpu::uint {
 struct CullModeRow {
   const char* name;  ///< value of --mode
   CullMode id;
-  bool culls;           ///< objects outside the frustum or below --min-pixels are not drawn
-  bool testsOcclusion;  ///< objects are tested for occlusion; block measures and their views need this
-  bool usesMap;         ///< occluders are drawn into an occlusion map before the test
-  bool usesDepth;       ///< the test compares with a depth pyramid
-  bool twoPhases;       ///< objects visible in the last frame are drawn before the test
-  bool conservative;    ///< with default options no visible pixel is lost
-  bool needsHistory;    ///< the frame depends on the frames before it
-  bool readsBack;       ///< the CPU waits for the GPU inside the frame
-  float occluderTau;    ///< default of --occluder-tau, pixels; with usesMap
-  const char* help;     ///< phrase for --help, panel and docs
+  bool culls = false;           ///< objects outside the frustum or below --min-pixels are not drawn
+  bool testsOcclusion = false;  ///< objects are tested for occlusion; block measures and their views need this
+  bool usesMap = false;         ///< occluders are drawn into an occlusion map before the test
+  bool usesDepth = false;       ///< the test compares with a depth pyramid
+  bool twoPhases = false;       ///< objects visible in the last frame are drawn before the test
+  bool conservative = false;    ///< with default options no visible pixel is lost
+  bool needsHistory = false;    ///< the frame depends on the frames before it
+  bool readsBack = false;       ///< the CPU waits for the GPU inside the frame
+  float occluderTau = 0.0F;     ///< default of --occluder-tau, pixels; with usesMap
+  const char* help;             ///< phrase for --help, panel and docs
 };
 
 /// All modes, in the order of CullMode.

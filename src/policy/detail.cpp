@@ -7,7 +7,7 @@ namespace jalousie {
 namespace {
 
 constexpr DetailRow kDetails[] = {
-    {.name = "discrete", .id = Detail::kDiscrete, .patches = false, .help = "discrete LOD chain"},
+    {.name = "discrete", .id = Detail::kDiscrete, .help = "discrete LOD chain"},
     {.name = "tessellation",
      .id = Detail::kTessellation,
      .patches = true,

@@ -14,8 +14,8 @@ enum class Detail : gpu::uint { kDiscrete, kTessellation };
 struct DetailRow {
   const char* name;  ///< value of --detail
   Detail id;
-  bool patches;      ///< draws Phong-tessellated patches; the scene is built with patch bases
-  const char* help;  ///< phrase for --help, panel and docs
+  bool patches = false;  ///< draws Phong-tessellated patches; the scene is built with patch bases
+  const char* help;      ///< phrase for --help, panel and docs
 };
 
 /// Both paths, in the order of Detail.

@@ -20,10 +20,10 @@ enum class LodRule : gpu::uint {
 struct LodRuleRow {
   const char* name;  ///< value of --lod
   LodRule id;
-  bool followsError;  ///< uses tau; hysteresis and cross-fades apply
-  bool followsLv;     ///< uses the level of visibility
-  LvMeasure measure;  ///< measure of LV where none is chosen
-  const char* help;   ///< phrase for --help, panel and docs
+  bool followsError = false;             ///< uses tau; hysteresis and cross-fades apply
+  bool followsLv = false;                ///< uses the level of visibility
+  LvMeasure measure = LvMeasure::kNone;  ///< measure of LV where none is chosen
+  const char* help;                      ///< phrase for --help, panel and docs
 };
 
 /// All rules, in the order of LodRule.

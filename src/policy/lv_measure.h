@@ -18,10 +18,11 @@ inline constexpr std::size_t kLvMeasureCount = 6;
 struct LvMeasureRow {
   const char* name;  ///< value of --lv
   LvMeasure id;
-  gpu::uint trait;  ///< kTraitLv... of shared/traits.h; 0 for none
-  bool readsBlock;  ///< computed from a block of the occlusion map or depth pyramid: needs a mode that tests occlusion
-  bool countsPixels;  ///< counted in past frames: needs history
-  const char* help;   ///< phrase for --help, panel and docs
+  gpu::uint trait = 0;  ///< kTraitLv... of shared/traits.h; 0 for none
+  bool readsBlock =
+      false;  ///< computed from a block of the occlusion map or depth pyramid: needs a mode that tests occlusion
+  bool countsPixels = false;  ///< counted in past frames: needs history
+  const char* help;           ///< phrase for --help, panel and docs
 };
 
 /// All measures, in the order of LvMeasure.

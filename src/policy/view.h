@@ -25,13 +25,13 @@ enum class View : gpu::uint {
 struct ViewRow {
   const char* name;  ///< value of --view
   View id;
-  bool needsOcclusionTest;  ///< shows a result of the occlusion test
-  bool needsTwoPhases;      ///< shows the phase in which an object was drawn
-  bool showsLv;             ///< LV is measured even where the level rule does not use it
-  bool measuresCover;       ///< analyse.comp fills ScreenBox.cover
-  bool replacesFrame;       ///< shows the occlusion map or depth pyramid instead of the objects
-  bool addsPass;            ///< draws over, or instead of, the finished frame
-  const char* help;         ///< phrase for --help, panel and docs
+  bool needsOcclusionTest = false;  ///< shows a result of the occlusion test
+  bool needsTwoPhases = false;      ///< shows the phase in which an object was drawn
+  bool showsLv = false;             ///< LV is measured even where the level rule does not use it
+  bool measuresCover = false;       ///< analyse.comp fills ScreenBox.cover
+  bool replacesFrame = false;       ///< shows the occlusion map or depth pyramid instead of the objects
+  bool addsPass = false;            ///< draws over, or instead of, the finished frame
+  const char* help;                 ///< phrase for --help, panel and docs
 };
 
 /// All views, in the order of View.

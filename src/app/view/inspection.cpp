@@ -171,7 +171,7 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
   result.readout = renderer.readObject(object);
   const gpu::ScreenBox& box = result.readout.box;
   result.hasRect = box.maxX > box.minX && box.maxY > box.minY;
-  if (options.lvMeasure == LvMeasure::kPixels && (result.readout.marks & gpu::kMarkCounted) != 0 && result.hasRect)
+  if (rowOf(options.lvMeasure).countsPixels && (result.readout.marks & gpu::kMarkCounted) != 0 && result.hasRect)
     result.countedLv =
         visibility::pixelsLv(static_cast<float>(result.readout.pixels), (box.maxX - box.minX) * (box.maxY - box.minY));
   inspectLevels(result, scene, view);
