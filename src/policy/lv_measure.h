@@ -19,10 +19,10 @@ struct LvMeasureRow {
   const char* name;  ///< value of --lv
   LvMeasure id;
   gpu::uint trait = 0;  ///< kTraitLv... of shared/traits.h; 0 for none
-  bool readsBlock =
-      false;  ///< computed from a block of the occlusion map or depth pyramid: needs a mode that tests occlusion
-  bool countsPixels = false;  ///< counted in past frames: needs history
-  const char* help;           ///< phrase for --help, panel and docs
+  /// Counted in past frames: needs history. Other measures read a block of the occlusion map or depth pyramid: they need
+  /// a mode that tests occlusion.
+  bool countsPixels = false;
+  const char* help;  ///< phrase for --help, panel and docs
 };
 
 /// All measures, in the order of LvMeasure.
