@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <glm/glm.hpp>
+
 #include "app/view/region.h"
 
 namespace jalousie::app {
@@ -11,6 +13,9 @@ inline constexpr ImU32 kTextColor = IM_COL32(235, 238, 242, 255);
 inline constexpr ImU32 kPlateColor = IM_COL32(22, 24, 28, 215);
 /// The selection: its AABR, the outline of its block, and the name of the current document.
 inline constexpr ImU32 kAccentColor = IM_COL32(255, 160, 40, 255);
+
+/// A colour of shaders/shared/palette.h as the interface draws it: encoded as sRGB, 8 bits a component.
+ImU32 srgb(const glm::vec3& linear);
 
 /// Height of the font in pixels; sizes of the interface are multiples of it.
 inline float unit() {

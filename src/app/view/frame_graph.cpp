@@ -12,15 +12,16 @@
 #include <vector>
 
 #include "app/view/drawing.h"
+#include "shared/palette.h"
 
 namespace jalousie::app {
 namespace {
 
 constexpr ImU32 kDrawn = IM_COL32(90, 170, 255, 255);
-// As in --view ghosts.
-constexpr ImU32 kOccluded = IM_COL32(244, 64, 176, 255);
-constexpr ImU32 kSmall = IM_COL32(244, 216, 64, 255);
-constexpr ImU32 kOutside = IM_COL32(137, 168, 209, 255);
+/// A colour of --view ghosts.
+ImU32 ghost(const gpu::vec4& linear) {
+  return srgb(glm::vec3(linear));
+}
 
 std::string triangleText(std::uint64_t count) {
   return count >= 10'000'000 ? fmt::format("{:.1f} M", static_cast<double>(count) / 1e6)
@@ -134,13 +135,14 @@ void plotObjects(const FrameHistory& history) {
     return Layer{color, [count](const FrameSample& f) { return static_cast<double>(f.statistics.*count); }};
   };
   const render::FrameStatistics& s = history.samples().back().statistics;
-  drawPlot(
-      history,
-      fmt::format("objects: {} drawn, {} occluded, {} too small, {} outside", s.drawn, s.culledOcclusion, s.culledSmall,
-                  s.culledFrustum),
-      {layer(kDrawn, &render::FrameStatistics::drawn), layer(kOccluded, &render::FrameStatistics::culledOcclusion),
-       layer(kSmall, &render::FrameStatistics::culledSmall), layer(kOutside, &render::FrameStatistics::culledFrustum)},
-      3.0F * unit());
+  drawPlot(history,
+           fmt::format("objects: {} drawn, {} occluded, {} too small, {} outside", s.drawn, s.culledOcclusion,
+                       s.culledSmall, s.culledFrustum),
+           {layer(kDrawn, &render::FrameStatistics::drawn),
+            layer(ghost(gpu::kColorGhostOccluded), &render::FrameStatistics::culledOcclusion),
+            layer(ghost(gpu::kColorGhostSmall), &render::FrameStatistics::culledSmall),
+            layer(ghost(gpu::kColorGhostOutside), &render::FrameStatistics::culledFrustum)},
+           3.0F * unit());
 }
 
 }  // namespace

@@ -54,15 +54,6 @@ void drawSwatches(const Region& region, const char* title, const std::vector<Swa
     at = drawSwatch(list, {at, y + 0.5F * unit()}, swatch);
 }
 
-std::uint8_t srgbByte(float linear) {
-  const float c = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(std::clamp(c, 0.0F, 1.0F) * 255.0F));
-}
-
-ImU32 srgb(const glm::vec3& linear) {
-  return IM_COL32(srgbByte(linear.x), srgbByte(linear.y), srgbByte(linear.z), 255);
-}
-
 /// The heat scale of the views: heatColor() of shaders/lib/palette.glsl. @param t  in [0, 1]
 ImU32 heatColor(float t) {
   const glm::vec3 low(gpu::kColorHeatLow);
