@@ -37,7 +37,7 @@ const char* problemOf(const render::FrameStatistics& s, LodRule rule) {
   if (s.drawn == 0) return "nothing was drawn";
   if (s.drawn + s.culledFrustum + s.culledOcclusion + s.culledSmall != s.objects)
     return "drawn and culled objects do not add up to all objects";
-  if (rule == LodRule::kLinear && s.triangles >= s.trianglesFull) return "no object has a coarser level";
+  if (rule == LodRule::kLinear && s.triangles >= s.trianglesFinest) return "no object has a coarser level";
   return nullptr;
 }
 

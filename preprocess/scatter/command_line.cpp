@@ -137,7 +137,7 @@ std::optional<Occluder> resolveOccluder(const Given& given, bool coverGiven) {
 
 void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
   app.add_option("--count", given.count, "Scatter this many objects, the one in the middle included [from --preset]")
-      ->type_name(fmt::format("UINT in [1 - {}]", asset::Limits{}.maxInstances));
+      ->type_name(fmt::format("1..{}", asset::Limits{}.maxInstances));
   app.add_option("--layout", given.layout, "Choose the shape in which objects are placed")
       ->check(CLI::IsMember({"cube"}))
       ->capture_default_str();
@@ -165,7 +165,7 @@ CLI::Option* addOccluderOptions(CLI::App& app, Given& given) {
                  "foliage, grid (small holes), fence (wide slots), plane (one large hole) [none]")
       ->check(CLI::IsMember({"foliage", "grid", "fence", "plane"}));
   return app.add_option("--cover", given.cover, "Cover this share of the occluder's area; approximate for foliage")
-      ->type_name("SHARE in [0 - 1]")
+      ->type_name("0..1")
       ->default_str("0.75");
 }
 

@@ -21,11 +21,10 @@ layout(local_size_x = kObjectGroupSize) in;
 /// cosines[16 * (N - 1) + i] = cos(pi (2i + 1) / 2N)
 layout(std430, binding = kBindingCosines) readonly buffer CosineBlock { float cosines[]; };
 
-#ifndef JAL_HIZ
+#ifdef JAL_USES_MAP
 layout(binding = kUnitOcclusionMap) uniform sampler2D occlusionMap;
 #endif
-#if defined(JAL_HIZ) || defined(JAL_HOM_DEPTH)
-#define JAL_DEPTH_AWARE
+#ifdef JAL_USES_DEPTH
 layout(binding = kUnitDepthPyramid) uniform sampler2D depthPyramid;  // level L of the screen is its level L - 1
 layout(binding = kUnitDepth) uniform sampler2D depthBuffer;
 #endif
@@ -35,12 +34,12 @@ uvec2 viewport() { return uvec2(cullView.viewportWidth, cullView.viewportHeight)
 /// Covered share of the pixels of a texel, for an object at a depth.
 float opacity(uvec2 texel, uint level, float nearestDepth) {
   float covered = 1.0;
-#ifdef JAL_DEPTH_AWARE
+#ifdef JAL_USES_DEPTH
   float farthest = level == 0u ? texelFetch(depthBuffer, ivec2(texel), 0).r
                                : texelFetch(depthPyramid, ivec2(texel), int(level) - 1).r;
   if (!(farthest > nearestDepth)) return 0.0;
 #endif
-#ifndef JAL_HIZ
+#ifdef JAL_USES_MAP
   covered -= texelFetch(occlusionMap, ivec2(texel), int(level)).r / float(texelArea(texel, level, viewport()));
 #endif
   return covered;
@@ -57,7 +56,7 @@ struct Probe {
 Probe probeOf(ScreenBox box) {
   Probe probe;
   probe.rect = vec4(box.minX, box.minY, box.maxX, box.maxY);
-#ifdef JAL_HOM_DEPTH
+#if defined(JAL_USES_MAP) && defined(JAL_USES_DEPTH)
   // The levels drawn into the map may be off by occluderTau pixels.
   float guard = ceil(cullView.occluderTau);
   probe.rect = clamp(probe.rect + vec4(-guard, -guard, guard, guard), vec4(0.0), vec4(viewport().xyxy));
@@ -87,7 +86,7 @@ vec2 overlap(Probe probe) {
   uint lowest = probe.lom > kMaxDescent ? probe.lom - kMaxDescent : 0u;
   vec2 range = opacityRange(probe, probe.lom);
   for (uint level = probe.lom; range.x < cullView.cullThreshold && level > lowest;) {
-#ifndef JAL_DEPTH_AWARE
+#ifndef JAL_USES_DEPTH
     if (range.y <= 0.0) break;  // open here, so open below: opacities add up. A farthest depth does not
 #endif
     range = opacityRange(probe, --level);
@@ -123,8 +122,8 @@ BlockSums noSums(Block block) {
 
 /// What the measures need but the chord: rows against the cosines first, then columns.
 BlockSums sumSpectrum(Block block) {
-  uint cosinesX = 16u * (block.x.y - 1u);
-  uint cosinesY = 16u * (block.y.y - 1u);
+  uint cosinesX = kMaxBlockSide * (block.x.y - 1u);
+  uint cosinesY = kMaxBlockSide * (block.y.y - 1u);
   BlockSums sums = noSums(block);
   vec3 low0 = vec3(0.0), low1 = vec3(0.0), low2 = vec3(0.0);
   for (uint j = 0u; j < block.y.y; ++j) {
@@ -181,7 +180,7 @@ OverlapResult testOverlap(Probe probe, bool wantsBlock) {
   vec2 range = overlap(probe);
   if (range.x >= cullView.cullThreshold) return OverlapResult(kVerdictOccluded, 1.0);
   bool open = range.y <= 0.0;
-#ifndef JAL_DEPTH_AWARE
+#ifndef JAL_USES_DEPTH
   wantsBlock = wantsBlock && !open;
 #endif
   if (!wantsBlock) return OverlapResult(open ? kVerdictOpen : kVerdictPartial, -1.0);

@@ -1,4 +1,4 @@
-// The order of precedence.
+// Chooses the cameras: explicit positions first, then a frame of the path, then the whole scene.
 #include "app/render_cameras.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Scene in, frame out.
+// Runs `jalousie render`: reads the scene, renders, writes picture and statistics.
 #include "app/render_command.h"
 
 #include <fmt/format.h>

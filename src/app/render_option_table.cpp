@@ -43,6 +43,15 @@ std::string rulesWithError() {
   return "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::followsError);
 }
 
+/// " [RULE: MEASURE, ...]": the measure that each level rule takes where none is chosen.
+std::string defaultMeasures() {
+  std::string text;
+  for (const LodRuleRow& rule : lodRuleTable())
+    if (rule.followsLv)
+      text += fmt::format("{}{}: {}", text.empty() ? " [" : ", ", rule.name, rowOf(rule.measure).name);
+  return text + ", otherwise: pixels]";
+}
+
 /// The default depends on the mode.
 std::string occluderTauHelp() {
   std::string defaults;
@@ -135,9 +144,10 @@ std::vector<RenderOption> levelRows() {
        NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F}, rulesWithError(),
        followsError},
       {"--lv", "visibility measure", "",
-       "Choose the measure of LV (level of visibility). " + policy::helpOf(lvMeasureTable()) +
-           " [linear: thesis, lv-error and --view lv: pixels]",
-       OptionGroup::kDetail, measureChoice(), "--lod linear, --lod lv-error or --view lv",
+       "Choose the measure of LV (level of visibility). " + policy::helpOf(lvMeasureTable()) + defaultMeasures(),
+       OptionGroup::kDetail, measureChoice(),
+       "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::followsLv) + ", or --view " +
+           policy::namesWith(viewTable(), &ViewRow::showsLv),
        [](const Options& o) { return wantsLv(o.frameOptions) || o.lv == LvMeasure::kNone; }},
       {"--relax", "relaxation", "times tau",
        "Limit how far --lod lv-error relaxes tau: tau grows with (visible share)^(-1/4), at most to 1 + RELAX times",
@@ -210,7 +220,8 @@ std::vector<RenderOption> viewRows() {
       {"--settle", "settle", "frames",
        "Render so many frames from the same camera before the picture; 0 shows the first frame after a cut",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.settle; }, 0, 1000},
-       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::needsHistory) + ", --lv pixels or --calm",
+       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::needsHistory) + ", --lv " +
+           policy::namesWith(lvMeasureTable(), &LvMeasureRow::countsPixels) + " or --calm",
        [](const Options& o) { return dependsOnHistory(policyOf(o)); }},
   };
 }

@@ -82,7 +82,7 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
-                      percent(s.triangles, s.trianglesFull), grouped(s.trianglesFull));
+                      percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
   text += tessellates(options) ? "  levels 1.." : "  LOD 0..";
   text += fmt::format(" {}\n", fmt::join(s.lodHistogram, " "));
   text += fmt::format("  time {:.1f} ms:", report.times.frameMs);

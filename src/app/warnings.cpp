@@ -1,4 +1,4 @@
-// Texts of the warnings.
+// Prints the warnings of the program.
 #include "app/warnings.h"
 
 #include <fmt/format.h>

@@ -27,7 +27,7 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"dropped", &render::FrameStatistics::dropped},
     {"draws", &render::FrameStatistics::draws},
     {"triangles", &render::FrameStatistics::triangles},
-    {"triangles_full", &render::FrameStatistics::trianglesFull},
+    {"triangles_full", &render::FrameStatistics::trianglesFinest},
 };
 
 }  // namespace jalousie::compare

@@ -307,7 +307,7 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
   json["reference"] = references[static_cast<int>(plan.reference)];
   json["pixels_per_degree"] = plan.pixelsPerDegree;
   json["baseline"] = configurations[plan.baseline].name;
-  json["triangles_full"] = results.samples.empty() ? 0 : results.samples.front().statistics.trianglesFull;
+  json["triangles_full"] = results.samples.empty() ? 0 : results.samples.front().statistics.trianglesFinest;
   json["objects"] = results.samples.empty() ? 0 : results.samples.front().statistics.objects;
   const std::vector<const Sample*> baseline = samplesOf(results, plan.baseline);
   json["configurations"] = ordered_json::array();

@@ -21,7 +21,7 @@ struct CullModeRow {
   const char* name;  ///< value of --mode
   CullMode id;
   bool culls = false;           ///< objects outside the frustum or below --min-pixels are not drawn
-  bool testsOcclusion = false;  ///< objects are tested for occlusion; block measures and their views need this
+  bool testsOcclusion = false;  ///< analyse.comp tests objects against a map or pyramid; block measures need this
   bool usesMap = false;         ///< occluders are drawn into an occlusion map before the test
   bool usesDepth = false;       ///< the test compares with a depth pyramid
   bool twoPhases = false;       ///< objects visible in the last frame are drawn before the test

@@ -19,8 +19,8 @@ struct LvMeasureRow {
   const char* name;  ///< value of --lv
   LvMeasure id;
   gpu::uint trait = 0;  ///< kTraitLv... of shared/traits.h; 0 for none
-  /// Counted in past frames: needs history. Other measures read a block of the occlusion map or depth pyramid: they need
-  /// a mode that tests occlusion.
+  /// Counted in past frames: needs history. Other measures read a block of the occlusion map or depth pyramid: they
+  /// need a mode that tests occlusion.
   bool countsPixels = false;
   const char* help;  ///< phrase for --help, panel and docs
 };

@@ -30,9 +30,16 @@ DebugViews::Halvings::Halvings(std::uint32_t width, std::uint32_t height)
 }
 
 void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists) {
-  if (frame.view.view == gpu::kViewWireframe) drawLines(frame, pass, buffers);
-  if (frame.view.view == gpu::kViewOverdraw) drawOverdraw(frame, pass, buffers);
-  if (frame.view.view == gpu::kViewGhosts) drawGhosts(frame, pass, buffers, lists);
+  switch (frame.view.view) {
+    case gpu::kViewWireframe:
+      return drawLines(frame, pass, buffers);
+    case gpu::kViewOverdraw:
+      return drawOverdraw(frame, pass, buffers);
+    case gpu::kViewGhosts:
+      return drawGhosts(frame, pass, buffers, lists);
+    default:
+      return;  // bounding rectangles alone
+  }
 }
 
 void DebugViews::drawLines(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers) {

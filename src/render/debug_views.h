@@ -27,7 +27,7 @@ struct DrawnFrame {
 /// Allocates on the first frame of a view that needs memory of its own, and nothing for the others.
 class DebugViews {
  public:
-  /// Builds every program: a shader that does not build must not be found out in a frame. Errors: kShader.
+  /// Builds every program: a shader that does not build must not be found during a frame. Errors: kShader.
   explicit DebugViews(const scene::SceneData& scene, const gl::ShaderLibrary& shaders = {})
       : scene_(scene), markGhosts_(visibility::programSource(visibility::ProgramId::kMarkGhosts), shaders) {}
 

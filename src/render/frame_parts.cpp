@@ -26,7 +26,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
     : scene(sceneData),
       capabilities(capabilitiesFor(options)),
       tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
-      fullTriangles(countFullTriangles(scene)),
+      finestTriangles(countFinestTriangles(scene)),
       buffers(scene),
       targets(width, height),
       map(visibility::mapLayout(width, height), &targets.depth, shaders),
@@ -38,6 +38,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
       draw(capabilities, shaders),
+      methods({scene, capabilities, shaders}),
       context{cullView, drawView, counting, timer,   buffers, visibility, lists,
               early,    late,     draw,     targets, map,     pyramid},
       drawing(context, scene, shaders) {
@@ -69,7 +70,7 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const bool drawsEarly = (view.traits & gpu::kTraitTwoPhases) != 0;
   const std::uint64_t dropped =
       record->late[gpu::kCountDropped] + std::uint64_t{usesEarly ? record->early[gpu::kCountDropped] : 0};
-  FrameStatistics result = makeStatistics(record->counters, view, fullTriangles, dropped);
+  FrameStatistics result = makeStatistics(record->counters, view, finestTriangles, dropped);
   result.frame = record->frame;
   const std::uint32_t first = (view.traits & gpu::kTraitPatches) != 0 ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)

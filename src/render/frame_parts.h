@@ -20,7 +20,7 @@ struct FrameParts {
   const scene::SceneData& scene;
   gl::Capabilities capabilities;
   gpu::uint tessellationLimit;
-  FullTriangles fullTriangles;
+  FinestTriangles finestTriangles;
   SceneBuffers buffers;
   Targets targets;
   visibility::OcclusionMapPass map;

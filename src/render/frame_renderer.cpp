@@ -25,6 +25,7 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   glDisable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   parts.setViews(options, cullCamera, drawCamera);
+  method.prepare(parts.context);
   {
     const gl::PassTimer::Scope pass(parts.timer, "classify");
     parts.visibility.classify(parts.buffers.bindings());
@@ -67,6 +68,7 @@ gl::Buffer& FrameRenderer::transforms() {
 
 void FrameRenderer::resetHistory() {
   parts_->objects.forget();
+  parts_->methods.forget();
   parts_->countAge = kCountInterval;
 }
 

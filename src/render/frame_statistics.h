@@ -15,14 +15,14 @@ struct FrameStatistics {
   std::uint64_t culledSmall = 0;      ///< below the contribution threshold
   std::uint64_t occluders = 0;
   std::uint64_t drawn = 0;
-  std::uint64_t drawnEarly = 0;     ///< of drawn: in the first of two phases
-  std::uint64_t drawnStale = 0;     ///< of drawnEarly: occluded in this frame
-  std::uint64_t switches = 0;       ///< of drawn: at another level than in the last frame
-  std::uint64_t fading = 0;         ///< of drawn: at two levels, cross-faded
-  std::uint64_t dropped = 0;        ///< instances that a draw list had no room for
-  std::uint64_t draws = 0;          ///< commands in the lists that were drawn
-  std::uint64_t triangles = 0;      ///< of the drawn objects, both levels of those that fade
-  std::uint64_t trianglesFull = 0;  ///< all objects at their finest
+  std::uint64_t drawnEarly = 0;       ///< of drawn: in the first of two phases
+  std::uint64_t drawnStale = 0;       ///< of drawnEarly: occluded in this frame
+  std::uint64_t switches = 0;         ///< of drawn: at another level than in the last frame
+  std::uint64_t fading = 0;           ///< of drawn: at two levels, cross-faded
+  std::uint64_t dropped = 0;          ///< instances that a draw list had no room for
+  std::uint64_t draws = 0;            ///< commands in the lists that were drawn
+  std::uint64_t triangles = 0;        ///< of the drawn objects, both levels of those that fade
+  std::uint64_t trianglesFinest = 0;  ///< all objects at their finest
   /// Drawn objects per level: LOD 0, 1, ... of the discrete chains, or tessellation level 1, 2, ... of the patch path.
   std::vector<std::uint64_t> lodHistogram;
 };

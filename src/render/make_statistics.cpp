@@ -7,8 +7,8 @@
 
 namespace jalousie::render {
 
-FullTriangles countFullTriangles(const scene::SceneData& scene) {
-  FullTriangles full;
+FinestTriangles countFinestTriangles(const scene::SceneData& scene) {
+  FinestTriangles full;
   for (const gpu::Object& object : scene.objects) {
     const gpu::Chain& chain = scene.chains[object.chain];
     full.discrete += scene.lods[chain.firstLod].triangleCount;
@@ -20,7 +20,7 @@ FullTriangles countFullTriangles(const scene::SceneData& scene) {
 }
 
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
-                               const FullTriangles& full, std::uint64_t dropped) {
+                               const FinestTriangles& full, std::uint64_t dropped) {
   const auto verdicts = [&](gpu::uint verdict) -> std::uint64_t { return counters[gpu::kCounterVerdicts + verdict]; };
   const bool patches = (view.traits & gpu::kTraitPatches) != 0;
   FrameStatistics result;
@@ -36,7 +36,7 @@ FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const 
   result.fading = counters[gpu::kCounterFading];
   result.dropped = dropped;
   result.triangles = visibility::triangleSum(counters);
-  result.trianglesFull = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;
+  result.trianglesFinest = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;
   const gpu::uint levels = patches ? view.maxTessellation : full.maxLods;
   for (gpu::uint level = 0; level < levels; ++level)
     result.lodHistogram.push_back(counters[gpu::kCounterLevels + level]);

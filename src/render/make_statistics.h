@@ -9,15 +9,15 @@
 namespace jalousie::render {
 
 /// Triangles of all objects at their finest, on both detail paths. Counted once per scene.
-struct FullTriangles {
+struct FinestTriangles {
   std::uint64_t discrete = 0;
   std::uint64_t patchBase = 0;  ///< before tessellation
   std::uint32_t maxLods = 0;    ///< longest chain
 };
-FullTriangles countFullTriangles(const scene::SceneData& scene);
+FinestTriangles countFinestTriangles(const scene::SceneData& scene);
 
 /// Figures by name. @param dropped  instances that the frame's lists had no room for
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
-                               const FullTriangles& full, std::uint64_t dropped);
+                               const FinestTriangles& full, std::uint64_t dropped);
 
 }  // namespace jalousie::render

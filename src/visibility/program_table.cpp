@@ -7,9 +7,9 @@ std::span<const gl::ProgramSource> programTable() {
   static const gl::ProgramSource kPrograms[] = {
       {"classify", {"visibility/classify.comp"}, {}},
       {"reduce map", {"visibility/reduce_map.comp"}, {}},
-      {"analyse map", {"visibility/analyse.comp"}, {}},
-      {"analyse map and depth", {"visibility/analyse.comp"}, {"JAL_HOM_DEPTH"}},
-      {"analyse depth", {"visibility/analyse.comp"}, {"JAL_HIZ"}},
+      {"analyse map", {"visibility/analyse.comp"}, {"JAL_USES_MAP"}},
+      {"analyse map and depth", {"visibility/analyse.comp"}, {"JAL_USES_MAP", "JAL_USES_DEPTH"}},
+      {"analyse depth", {"visibility/analyse.comp"}, {"JAL_USES_DEPTH"}},
       {"reduce depth, first level", {"visibility/reduce_depth.comp"}, {"JAL_FROM_DEPTH"}},
       {"reduce depth, first level, covered", {"visibility/reduce_depth.comp"}, {"JAL_FROM_DEPTH", "JAL_COVERED"}},
       {"reduce depth", {"visibility/reduce_depth.comp"}, {}},

@@ -53,9 +53,9 @@ Sample fullSample(std::uint32_t frame, std::size_t configuration) {
   render::FrameStatistics& s = sample.statistics;
   for (std::uint64_t* figure :
        {&s.objects, &s.culledFrustum, &s.culledOcclusion, &s.culledSmall, &s.occluders, &s.drawn, &s.drawnEarly,
-        &s.drawnStale, &s.switches, &s.fading, &s.dropped, &s.draws, &s.triangles, &s.trianglesFull})
+        &s.drawnStale, &s.switches, &s.fading, &s.dropped, &s.draws, &s.triangles, &s.trianglesFinest})
     *figure = ++next;
-  s.trianglesFull = std::numeric_limits<std::uint64_t>::max();  // beyond what a double holds
+  s.trianglesFinest = std::numeric_limits<std::uint64_t>::max();  // beyond what a double holds
   s.lodHistogram = {5, 0, 9007199254740993ULL};
   sample.frameMs = 1.0 / 3.0;
   sample.passes = {{"cull", 0.1}, {"draw", 1e-300}, {"draw", 2.5}};
@@ -98,7 +98,7 @@ void expectSame(const Sample& a, const Sample& b) {
   EXPECT_EQ(s.dropped, t.dropped);
   EXPECT_EQ(s.draws, t.draws);
   EXPECT_EQ(s.triangles, t.triangles);
-  EXPECT_EQ(s.trianglesFull, t.trianglesFull);
+  EXPECT_EQ(s.trianglesFinest, t.trianglesFinest);
   EXPECT_EQ(s.lodHistogram, t.lodHistogram);
   EXPECT_EQ(a.frameMs, b.frameMs);
   EXPECT_EQ(a.passes, b.passes);

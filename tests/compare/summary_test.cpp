@@ -30,7 +30,7 @@ Sample sampleOf(std::uint32_t frame, std::size_t configuration, std::uint64_t tr
   sample.frame = frame;
   sample.configuration = configuration;
   sample.statistics.triangles = triangles;
-  sample.statistics.trianglesFull = 1000;
+  sample.statistics.trianglesFinest = 1000;
   sample.statistics.objects = 50;
   sample.frameMs = frameMs;
   return sample;

@@ -348,7 +348,7 @@ TEST_F(FrameRendererGl, StatisticsEqualACountOfTheStates) {
     renderer.render(options, camera, camera);
     const FrameStatistics expected =
         makeStatistics(visibility::countStates(scene, renderer.cullView(), renderer.readStates(), renderer.readMarks()),
-                       renderer.cullView(), countFullTriangles(scene), 0);
+                       renderer.cullView(), countFinestTriangles(scene), 0);
     const FrameStatistics actual = renderer.readStatistics();
     EXPECT_EQ(actual.drawn, expected.drawn);
     EXPECT_EQ(actual.triangles, expected.triangles);
@@ -405,7 +405,7 @@ TEST_F(FrameRendererGl, PixelErrorChoosesTessellationPerObject) {
   renderer.render(options, camera, camera);
   const FrameStatistics s = renderer.readStatistics();
   EXPECT_GE(std::count_if(s.lodHistogram.begin(), s.lodHistogram.end(), [](std::uint64_t n) { return n > 0; }), 3);
-  EXPECT_LT(s.triangles, s.trianglesFull / 4);
+  EXPECT_LT(s.triangles, s.trianglesFinest / 4);
 }
 
 TEST_F(FrameRendererGl, ContributionAndImportanceLowerTheBudgetWhereAsked) {

@@ -14,7 +14,7 @@ namespace {
 FrameStatistics count(const scene::SceneData& scene, gpu::CullView view, const std::vector<gpu::ObjectState>& states,
                       const std::vector<gpu::uint>& marks) {
   view.objectCount = static_cast<gpu::uint>(states.size());
-  return makeStatistics(visibility::countStates(scene, view, states, marks), view, countFullTriangles(scene), 7);
+  return makeStatistics(visibility::countStates(scene, view, states, marks), view, countFinestTriangles(scene), 7);
 }
 
 TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
@@ -39,7 +39,7 @@ TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
   EXPECT_EQ(s.dropped, 7U);
   EXPECT_EQ(s.lodHistogram, (std::vector<std::uint64_t>{2, 0, 1}));
   EXPECT_EQ(s.triangles, 2ULL * scene.lods[0].triangleCount + scene.lods[2].triangleCount);
-  EXPECT_EQ(s.trianglesFull, 6ULL * scene.lods[0].triangleCount);
+  EXPECT_EQ(s.trianglesFinest, 6ULL * scene.lods[0].triangleCount);
 }
 
 TEST(FrameStatistics, OccludersAreCountedOnceThoughTheMapDrawsThemToo) {
@@ -66,7 +66,7 @@ TEST(FrameStatistics, TessellationCountsThesisNumbers) {
   view.maxTessellation = 20;
   const FrameStatistics s = count(scene, view, std::vector<gpu::ObjectState>(5001, {gpu::kVerdictPending, 0, 20, -1}),
                                   std::vector<gpu::uint>(5001, gpu::kMarkLate));
-  EXPECT_EQ(s.trianglesFull, 294058800ULL);  // thesis 4.2.1
+  EXPECT_EQ(s.trianglesFinest, 294058800ULL);  // thesis 4.2.1
   EXPECT_EQ(s.triangles, 294058800ULL);
   ASSERT_EQ(s.lodHistogram.size(), 20U);
   EXPECT_EQ(s.lodHistogram.back(), 5001U);
@@ -81,7 +81,7 @@ TEST(FrameStatistics, TrianglesBeyondFourBillionAreCounted) {
 
 TEST(FrameStatistics, EmptySceneCountsNothing) {
   const FrameStatistics s = makeStatistics({}, {}, {}, 0);
-  EXPECT_EQ(s.objects + s.drawn + s.triangles + s.trianglesFull, 0U);
+  EXPECT_EQ(s.objects + s.drawn + s.triangles + s.trianglesFinest, 0U);
 }
 
 }  // namespace

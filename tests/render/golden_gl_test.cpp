@@ -1,4 +1,5 @@
-// Stored frames of every view; a change that moves pixels must be looked at.
+// Stored frames of the method of the thesis and of all kinds of surfaces. views_golden_gl_test.cpp stores the default
+// mode under every view. The limits are the usual ones of ImageLimits, which states their reasons.
 #include <gtest/gtest.h>
 
 #include "render/frame_renderer.h"

@@ -17,6 +17,12 @@
 namespace jalousie::bake {
 namespace {
 
+/// "LEAST..MOST", as every help text of the project writes a range.
+template <class Number>
+std::string rangeText(Number least, Number most) {
+  return fmt::format("{:g}..{:g}", static_cast<double>(least), static_cast<double>(most));
+}
+
 constexpr const char* kExamples = R"(Examples:
   jalousie-bake bunny.ply -o bunny.glb
       bake ten levels, each with half the triangles of the level before
@@ -137,7 +143,8 @@ void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
   program
       .add_option("-j,--jobs", result.jobs,
                   "Use this many threads; files of a folder are baked in parallel [all cores]")
-      ->check(CLI::Range(1U, 256U));
+      ->check(CLI::Range(1U, 256U).description(""))
+      ->type_name(rangeText(1U, 256U));
   program
       .add_option("--cache", result.cache,
                   "Store results in this folder and reuse them for equal inputs and options; runs may share it [none]")
@@ -155,31 +162,34 @@ void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
       ->transform(bytesWithUnit())
       ->type_name("SIZE");
   program.add_option("--timeout", timeout, "Stop the bake of a file after this time, seconds [none]")
-      ->check(CLI::Range(0.001, 1e6))
-      ->type_name("SECONDS");
+      ->check(CLI::Range(0.001, 1e6).description(""))
+      ->type_name(rangeText(0.001, 1e6));
   program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
 }
 
 /// The levels of a chain and when it ends.
 void addChainOptions(CLI::App& program, ChainOptions& chain) {
   program.add_option("--levels", chain.levels, "Make at most this many levels, LOD 0 included")
-      ->check(CLI::Range(1U, kMaxLevels))
+      ->check(CLI::Range(1U, kMaxLevels).description(""))
+      ->type_name(rangeText(1U, kMaxLevels))
       ->capture_default_str();
   auto* ratio =
       program
           .add_option("--ratio", chain.ratio, "Set the triangles of a level, as a share of those of the level before")
-          ->check(CLI::Range(0.05, 0.95))
+          ->check(CLI::Range(0.05, 0.95).description(""))
+          ->type_name(rangeText(0.05, 0.95))
           ->capture_default_str();
   program
       .add_option("--coarsest", chain.coarsest,
                   "Set the triangles of the last level and space the levels by a constant ratio; replaces --ratio")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U))
+      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U).description(""))
+      ->type_name(rangeText(kMinLevelTriangles, 100'000'000U))
       ->excludes(ratio);
   program
       .add_option("--ratios", chain.ratios,
                   "Set the triangles of LOD 1, 2, ... as shares of those of LOD 0, descending, e.g. 0.5,0.25,0.1")
       ->delimiter(',')
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(CLI::Range(1e-6, 1.0).description(""))
       ->type_name("R,...")
       ->excludes(ratio);
   program
@@ -189,7 +199,8 @@ void addChainOptions(CLI::App& program, ChainOptions& chain) {
       ->capture_default_str();
   program
       .add_option("--until-triangles", chain.untilTriangles, "End the chain before a level with fewer triangles [4]")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U));
+      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U).description(""))
+      ->type_name(rangeText(kMinLevelTriangles, 100'000'000U));
 }
 
 /// How levels are simplified.
@@ -208,16 +219,19 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
   program
       .add_option("--weight-normal", chain.collapse.normalWeight,
                   "Weight deviations of normals against distances; 0: ignore normals [best 1, fast 0]")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name(rangeText(0.0, 100.0));
   program
       .add_option("--weight-uv", chain.collapse.uvWeight,
                   "Weight deviations of texture coordinates against distances; 0: ignore them")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program
       .add_option("--weight-color", chain.collapse.colorWeight,
                   "Weight deviations of vertex colours against distances; 0: ignore them")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program.add_flag("--lock-border", chain.collapse.lockBorder,
                    "Keep the vertices of open borders in place, e.g. for terrain tiles");
@@ -229,27 +243,31 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
       .add_option(
           "--hard-angle", result.bake.hardAngle,
           "Rebuild normals: edges that bend by a larger angle are hard, all others smooth, degrees [keep normals]")
-      ->check(CLI::Range(0.0, 180.0))
-      ->type_name("DEG");
+      ->check(CLI::Range(0.0, 180.0).description(""))
+      ->type_name(rangeText(0.0, 180.0));
   program
       .add_option("--pixels", result.bake.screen.pixels,
                   "Set the screen-space error that MSFT_screencoverage allows, pixels")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(CLI::Range(0.01, 1000.0).description(""))
+      ->type_name(rangeText(0.01, 1000.0))
       ->capture_default_str();
   program
       .add_option("--height", result.bake.screen.height,
                   "Set the height of the 16:9 screen that MSFT_screencoverage refers to, pixels")
-      ->check(CLI::Range(16.0, 100'000.0))
+      ->check(CLI::Range(16.0, 100'000.0).description(""))
+      ->type_name(rangeText(16.0, 100'000.0))
       ->capture_default_str();
   program
       .add_option("--subdivide", result.bake.subdivide,
                   "Apply this many steps of Loop subdivision before baking; needs manifold meshes")
-      ->check(CLI::Range(0U, 4U))
+      ->check(CLI::Range(0U, 4U).description(""))
+      ->type_name(rangeText(0U, 4U))
       ->capture_default_str();
   program
       .add_option("--samples", result.bake.chain.samples,
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
-      ->check(CLI::Range(100U, 10'000'000U));
+      ->check(CLI::Range(100U, 10'000'000U).description(""))
+      ->type_name(rangeText(100U, 10'000'000U));
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");

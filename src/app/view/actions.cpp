@@ -1,4 +1,4 @@
-// The tables of keys.
+// Key bindings of the viewer and their texts.
 #include "app/view/actions.h"
 
 #include <epoxy/gl.h>

@@ -125,7 +125,7 @@ void plotPasses(const FrameHistory& history, const std::vector<std::string>& nam
 
 void plotTriangles(const FrameHistory& history) {
   const render::FrameStatistics& s = history.samples().back().statistics;
-  drawPlot(history, fmt::format("triangles: {} of {}", triangleText(s.triangles), triangleText(s.trianglesFull)),
+  drawPlot(history, fmt::format("triangles: {} of {}", triangleText(s.triangles), triangleText(s.trianglesFinest)),
            {{kDrawn, [](const FrameSample& f) { return static_cast<double>(f.statistics.triangles); }}}, 3.0F * unit());
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/render_option_table.h"
 #include "app/view/drawing.h"
+#include "policy/table.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::app {
@@ -151,8 +152,9 @@ void drawMeasures(const Inspection& i, const RenderOptions& options) {
 
 void drawBlockSection(const Inspection& i, const RenderOptions& options) {
   if (!i.block) {
-    ImGui::TextWrapped(i.hasRect ? "This mode has no map and no pyramid to measure. Use --mode hom, hom-depth or hiz."
-                                 : "The object has no finite AABR on the screen, so there is no block.");
+    const std::string modes = policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion);
+    i.hasRect ? ImGui::TextWrapped("This mode has no map and no pyramid to measure. Use --mode %s.", modes.c_str())
+              : ImGui::TextWrapped("The object has no finite AABR on the screen, so there is no block.");
     return;
   }
   const InspectedBlock& b = *i.block;

@@ -7,9 +7,9 @@
 
 namespace jalousie::render {
 
-/// Decides, within a frame, which objects are drawn and in which phase. classify.comp has run before; the objects'
-/// flags (kMark...) carry the decision to the draw lists. The constructor builds the method's programs: a shader that
-/// does not build must not be found during a frame.
+/// Decides, within a frame, which objects are drawn and in which phase. The objects' flags (kMark...) carry the
+/// decision to the draw lists. A constructor that needs more than the FrameContext takes it from MethodInputs, and
+/// builds the method's programs there: a shader that does not build must not be found during a frame.
 class CullMethod {
  public:
   CullMethod() = default;
@@ -19,7 +19,11 @@ class CullMethod {
 
   /// Another screen size, pixels; for methods with memory of that size. Called once before the first frame.
   virtual void resize(std::uint32_t /*width*/, std::uint32_t /*height*/) {}
-  /// Finishes what classify.comp left pending. Nothing to do for a method without an occlusion test.
+  /// Forgets what it keeps of past frames.
+  virtual void forget() {}
+  /// Before classify.comp: for verdicts that are known before the frame. The views are those of this frame.
+  virtual void prepare(const FrameContext& /*frame*/) noexcept {}
+  /// After classify.comp: finishes what it left pending. Nothing to do for a method without an occlusion test.
   virtual void decide(const FrameContext& /*frame*/) noexcept {}
   /// Draws again what the last frame's test compared objects with, from the culling camera, for inspection.
   virtual void redrawCover(const FrameContext& /*frame*/) noexcept {}

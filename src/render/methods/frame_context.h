@@ -17,7 +17,7 @@ namespace jalousie::render {
 struct FrameContext {
   const gpu::CullView& cullView;  ///< of the present frame
   const gpu::DrawView& drawView;
-  const bool& counting;  ///< this frame's visible pixels are counted: the frame is drawn with object numbers beside it
+  const bool& counting;  ///< the visible pixels of this frame are counted; it is drawn into Targets::counted
   gl::PassTimer& timer;
   SceneBuffers& scene;
   visibility::VisibilityPass& visibility;

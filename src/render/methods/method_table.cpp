@@ -11,7 +11,8 @@
 namespace jalousie::render {
 namespace {
 
-std::unique_ptr<CullMethod> makeMethod(CullMode mode) {
+/// @param inputs  for methods that need more than a FrameContext
+std::unique_ptr<CullMethod> makeMethod(CullMode mode, [[maybe_unused]] const MethodInputs& inputs) {
   switch (mode) {
     case CullMode::kFull:
       return std::make_unique<FullMethod>();
@@ -29,9 +30,9 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode) {
 
 }  // namespace
 
-MethodTable::MethodTable() {
+MethodTable::MethodTable(const MethodInputs& inputs) {
   for (const CullModeRow& row : cullModeTable()) {
-    std::unique_ptr<CullMethod> method = makeMethod(row.id);
+    std::unique_ptr<CullMethod> method = makeMethod(row.id, inputs);
     const bool known = method != nullptr;
     JAL_CHECK(known);
     methods_.push_back(std::move(method));
@@ -41,6 +42,11 @@ MethodTable::MethodTable() {
 void MethodTable::resize(std::uint32_t width, std::uint32_t height) const {
   for (const std::unique_ptr<CullMethod>& method : methods_)
     method->resize(width, height);
+}
+
+void MethodTable::forget() const {
+  for (const std::unique_ptr<CullMethod>& method : methods_)
+    method->forget();
 }
 
 }  // namespace jalousie::render

@@ -4,20 +4,32 @@
 #include <memory>
 #include <vector>
 
+#include "gl/capabilities.h"
+#include "gl/shader_source.h"
 #include "policy/cull_mode.h"
 #include "render/methods/cull_method.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::render {
+
+/// What a method may be made of. Borrows everything; only scene may be kept.
+struct MethodInputs {
+  const scene::SceneData& scene;
+  const gl::Capabilities& capabilities;
+  const gl::ShaderLibrary& shaders;
+};
 
 /// The methods of one renderer, one per row of cullModeTable().
 class MethodTable {
  public:
   /// Builds the programs of every method. Errors: kShader.
-  MethodTable();
+  explicit MethodTable(const MethodInputs& inputs);
 
   CullMethod& operator[](CullMode mode) const { return *methods_[static_cast<std::size_t>(mode)]; }
   /// Tells every method about the size of the screen, pixels.
   void resize(std::uint32_t width, std::uint32_t height) const;
+  /// Lets every method forget past frames.
+  void forget() const;
 
  private:
   std::vector<std::unique_ptr<CullMethod>> methods_;  ///< [cullModeTable().size()]

@@ -5,7 +5,7 @@
 
 namespace jalousie::render {
 
-/// As HomMethod, with the occluders' depth: a depth pyramid of the covered pixels stands beside the map.
+/// As HomMethod, and reads the depth of the occluders from a depth pyramid of the covered pixels.
 class HomDepthMethod : public CullMethod {
  public:
   void decide(const FrameContext& frame) noexcept override;
