@@ -44,7 +44,7 @@ TEST(Scatter, ChainAndMaterialsSurvive) {
   const ScatteredScene scene = scatter(parse({"--count", "20"}));
   EXPECT_EQ(scene.summary.levels, 3U);
   EXPECT_EQ(scene.summary.trianglesPerObject, 128U);
-  EXPECT_EQ(scene.summary.trianglesFinest, 20U * 128U);
+  EXPECT_EQ(scene.summary.trianglesFull, 20U * 128U);
   const asset::SceneFile file = readBack(scene);
   EXPECT_EQ(file.instances.size(), 20U);
   ASSERT_EQ(file.chains.size(), 1U);
@@ -112,7 +112,7 @@ TEST(Scatter, OccluderIsAnObjectOfItsOwn) {
   const asset::Material& material = file.materials[file.meshes[file.chains[1].levels[0].mesh].primitives[0].material];
   EXPECT_TRUE(material.doubleSided);
   EXPECT_EQ(material.alphaMode, asset::AlphaMode::kOpaque);
-  EXPECT_EQ(scene.summary.trianglesFinest, 128U + scene.summary.occluderTriangles);
+  EXPECT_EQ(scene.summary.trianglesFull, 128U + scene.summary.occluderTriangles);
 }
 
 TEST(Scatter, OccluderDoesNotMoveTheObjects) {
