@@ -1,6 +1,7 @@
 // Draws a decided frame: the objects, and what the debug view shows of them.
 #pragma once
 
+#include "policy/traits.h"
 #include "render/debug_views.h"
 #include "render/frame_options.h"
 #include "render/methods/cull_method.h"
@@ -22,7 +23,7 @@ class FrameDrawing {
   void resize() { views_.resize(); }
 
  private:
-  bool twoPhases() const { return (frame_.cullView.traits & gpu::kTraitTwoPhases) != 0; }
+  bool twoPhases() const { return has(frame_.cullView.traits, gpu::kTraitTwoPhases); }
   void countPixels() const;
   void drawObjects(const gl::Framebuffer& target, bool earlyIsThere) const;
   void drawView(const FrameOptions& options, bool frozen);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "policy/traits.h"
 #include "render/tessellation_limit.h"
 
 namespace jalousie::render {
@@ -66,13 +67,13 @@ bool FrameParts::countsNow(const FrameOptions& options) {
 std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visibility::FrameRecord>& record) const {
   if (!record) return std::nullopt;
   const gpu::CullView& view = record->view;
-  const bool usesEarly = (view.traits & gpu::kTraitTestsOcclusion) != 0;
-  const bool drawsEarly = (view.traits & gpu::kTraitTwoPhases) != 0;
+  const bool usesEarly = has(view.traits, gpu::kTraitTestsOcclusion);
+  const bool drawsEarly = has(view.traits, gpu::kTraitTwoPhases);
   const std::uint64_t dropped =
       record->late[gpu::kCountDropped] + std::uint64_t{usesEarly ? record->early[gpu::kCountDropped] : 0};
   FrameStatistics result = makeStatistics(record->counters, view, finestTriangles, dropped);
   result.frame = record->frame;
-  const std::uint32_t first = (view.traits & gpu::kTraitPatches) != 0 ? gpu::kListsPerDetail : 0;
+  const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)
     result.draws += record->late[list] + (drawsEarly ? record->early[list] : 0);
   return result;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "policy/traits.h"
 #include "scene/patch_base.h"
 
 namespace jalousie::render {
@@ -22,7 +23,7 @@ FinestTriangles countFinestTriangles(const scene::SceneData& scene) {
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
                                const FinestTriangles& full, std::uint64_t dropped) {
   const auto verdicts = [&](gpu::uint verdict) -> std::uint64_t { return counters[gpu::kCounterVerdicts + verdict]; };
-  const bool patches = (view.traits & gpu::kTraitPatches) != 0;
+  const bool patches = has(view.traits, gpu::kTraitPatches);
   FrameStatistics result;
   result.objects = view.objectCount;
   result.culledFrustum = verdicts(gpu::kVerdictOutside);

@@ -33,6 +33,12 @@ glm::vec4 rectOf(const gpu::ScreenBox& box) {
   return {box.minX, box.minY, box.maxX, box.maxY};
 }
 
+std::uint32_t lomOf(const MapLayout& layout, const glm::vec4& rect) {
+  return std::min(levelForExtent(std::max(rect.z - rect.x, rect.w - rect.y)), layout.levels - 1);
+}
+
+}  // namespace
+
 gpu::ScreenBox grown(gpu::ScreenBox box, const MapLayout& layout, float guardPixels) {
   const auto width = static_cast<float>(layout.screenWidth);
   const auto height = static_cast<float>(layout.screenHeight);
@@ -42,12 +48,6 @@ gpu::ScreenBox grown(gpu::ScreenBox box, const MapLayout& layout, float guardPix
   box.maxY = std::clamp(box.maxY + guardPixels, 0.0F, height);
   return box;
 }
-
-std::uint32_t lomOf(const MapLayout& layout, const glm::vec4& rect) {
-  return std::min(levelForExtent(std::max(rect.z - rect.x, rect.w - rect.y)), layout.levels - 1);
-}
-
-}  // namespace
 
 float Cover::opacity(std::uint32_t x, std::uint32_t y, std::uint32_t level, float nearestDepth) const {
   if (pyramid != nullptr && !(pyramid->farthest(x, y, level) > nearestDepth)) return 0.0F;

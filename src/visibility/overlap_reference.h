@@ -41,6 +41,9 @@ struct AnalysedBlock {
 };
 AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box);
 
+/// A bounding rectangle that grows by so many pixels on every side, clipped to the screen of the layout.
+gpu::ScreenBox grown(gpu::ScreenBox box, const MapLayout& layout, float guardPixels);
+
 /// Verdict and LV of one object.
 struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial

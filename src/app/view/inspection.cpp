@@ -41,14 +41,9 @@ std::string verdictText(gpu::uint verdict) {
 }
 
 /// The rectangle that the kernel analyses: with depth beside a map it grows by the screen-space error of the occluders.
-gpu::ScreenBox guarded(gpu::ScreenBox box, const gpu::CullView& view) {
+gpu::ScreenBox guarded(const gpu::ScreenBox& box, const visibility::MapLayout& layout, const gpu::CullView& view) {
   if (!has(view.traits, gpu::kTraitUsesMap) || !has(view.traits, gpu::kTraitUsesDepth)) return box;
-  const float guard = std::ceil(view.occluderTau);
-  box.minX = std::max(box.minX - guard, 0.0F);
-  box.minY = std::max(box.minY - guard, 0.0F);
-  box.maxX = std::min(box.maxX + guard, static_cast<float>(view.viewportWidth));
-  box.maxY = std::min(box.maxY + guard, static_cast<float>(view.viewportHeight));
-  return box;
+  return visibility::grown(box, layout, std::ceil(view.occluderTau));
 }
 
 InspectedBlock measureBlock(const Cover& cover, const gpu::ScreenBox& box) {
@@ -87,7 +82,7 @@ std::optional<InspectedBlock> inspectBlock(const gpu::ScreenBox& box, render::Fr
   if (usesMap) map.emplace(renderer.map().layout(), renderer.map().readOpenPixels());
   if (usesDepth) pyramid.emplace(renderer.map().layout(), renderer.readDepth(), usesMap);
   const Cover cover{map ? &*map : nullptr, pyramid ? &*pyramid : nullptr};
-  return measureBlock(cover, guarded(box, view));
+  return measureBlock(cover, guarded(box, cover.layout(), view));
 }
 
 /// The level as the budget decides it.
