@@ -4,7 +4,8 @@
 include(CMakePackageConfigHelpers)
 
 # Libraries in these folders serve this project's own programs. They are neither installed nor exported.
-set(programFolders "${PROJECT_SOURCE_DIR}/preprocess" "${PROJECT_SOURCE_DIR}/src/app" "${PROJECT_SOURCE_DIR}/src/compare")
+set(programFolders "${PROJECT_SOURCE_DIR}/preprocess" "${PROJECT_SOURCE_DIR}/src/app" "${PROJECT_SOURCE_DIR}/src/cli"
+  "${PROJECT_SOURCE_DIR}/src/compare")
 
 # jalousie_is_below(RESULT FOLDER PARENT...): true if FOLDER is one of the parents or lies inside one
 function(jalousie_is_below result folder)

@@ -1,15 +1,16 @@
 // jalousie-scatter: writes copies of a baked object in a cube, with camera path and occluder, as one GLB.
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <exception>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "asset/gltf_file.h"
+#include "cli/program.h"
 #include "core/error.h"
-#include "core/file.h"
+#include "core/output_files.h"
 #include "core/progress.h"
+#include "core/standard_streams.h"
 #include "scatter/command_line.h"
 #include "scatter/report.h"
 #include "scatter/scatter.h"
@@ -18,35 +19,35 @@ namespace {
 
 using namespace jalousie;
 
-void run(const scatter::Options& options) {
+void scatterFile(const scatter::Options& options) {
   scatter::ScatteredScene scene;
   {
     Progress progress("scattering", options.layout.count, options.quiet);
     scene = scatter::scatterObjects(asset::loadGltf(options.input), options, progress);
     asset::saveGlb(scene.model, options.output);
   }
-  if (!options.report.empty()) writeFileAtomic(options.report, scatter::reportJson(options, scene.summary));
-  if (!options.quiet) fmt::print("{}: {}\n", options.output.string(), scatter::reportLine(options, scene.summary));
+  if (!options.report.empty()) writeText(options.report, scatter::reportJson(options, scene.summary));
+  if (options.report != kStandardOutput && !options.quiet)
+    printOutput(fmt::format("{}: {}\n", oneLine(options.output.string()), scatter::reportLine(options, scene.summary)));
+}
+
+int run(int argc, char** argv) {
+  const std::optional<scatter::Options> options = scatter::parseCommandLine(argc, argv);
+  if (!options) return 0;
+  checkOutputs(std::vector<NamedFile>{{"-o", options->output}, {"--json", options->report, true}},
+               std::vector{options->input});
+  try {
+    scatterFile(*options);
+  } catch (const Error& error) {
+    // Errors about the input's content carry no path of their own.
+    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
+    throw Error(error.code(), error.what(), options->input);
+  }
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::filesystem::path input;
-  try {
-    const std::optional<scatter::Options> options = scatter::parseCommandLine(argc, argv);
-    if (!options) return 0;
-    input = options->input;
-    run(*options);
-    return 0;
-  } catch (const Error& error) {
-    // Errors about the input's content carry no path of their own.
-    const bool aboutInput = error.file().empty() && error.code() != ErrorCode::kUsage;
-    const std::string prefix = aboutInput ? input.string() + ": " : "";
-    fmt::print(stderr, "jalousie-scatter: {}{}\n", prefix, error.what());
-    return error.exitCode();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "jalousie-scatter: {}\n", error.what());
-    return static_cast<int>(ErrorCode::kInternal);
-  }
+  return cli::runProgram("jalousie-scatter", [&] { return run(argc, argv); });
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "cli/program.h"
 #include "core/error.h"
 
 namespace jalousie::scatter {
@@ -184,19 +185,10 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   app.add_option("-o,--output", options.output, "Write this GLB file")->required()->type_name("OUT.glb");
   addLayoutOptions(app, given, seed);
   const CLI::Option* cover = addOccluderOptions(app, given);
-  app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON")->type_name("REPORT");
+  app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON; - for standard output")
+      ->type_name("REPORT");
   app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      app.exit(error);
-      return std::nullopt;
-    }
-    std::string reason = error.what();
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    usage(reason + " (see --help)");
-  }
+  if (!cli::parse(app, argc, argv)) return std::nullopt;
   options.layout = resolveLayout(given, seed);
   options.occluder = resolveOccluder(given, cover->count() > 0);
   return options;

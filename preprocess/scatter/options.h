@@ -45,7 +45,7 @@ struct Occluder {
 struct Options {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::filesystem::path report;  ///< JSON; none if empty
+  std::filesystem::path report;  ///< JSON; none if empty; "-": standard output
   Layout layout;
   std::optional<Occluder> occluder;
   bool quiet = false;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <deque>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -17,14 +16,17 @@
 #include "asset/scene_file.h"
 #include "compare/configuration.h"
 #include "compare/experiment.h"
-#include "compare/experiment_log.h"
 #include "compare/fingerprint.h"
 #include "compare/frames_csv.h"
 #include "compare/page.h"
+#include "compare/report_folder.h"
 #include "compare/summary.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interruption.h"
+#include "core/output_files.h"
 #include "core/progress.h"
+#include "core/standard_streams.h"
 #include "platform/headless_context.h"
 #include "render/frame_renderer.h"
 #include "scene/camera.h"
@@ -35,30 +37,6 @@ namespace jalousie::app {
 namespace {
 
 constexpr std::uint64_t kMaxProgramBytes = 1ULL << 30U;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The first SIGINT or SIGTERM ends the experiment after the current step, a second one ends the program at once.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    struct sigaction action = {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    for (std::size_t i = 0; i < std::size(kSignals); ++i)
-      sigaction(kSignals[i], &action, &before_[i]);
-  }
-  ~InterruptGuard() {
-    for (std::size_t i = 0; i < std::size(kSignals); ++i)
-      sigaction(kSignals[i], &before_[i], nullptr);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  static constexpr int kSignals[] = {SIGINT, SIGTERM};
-  struct sigaction before_[std::size(kSignals)] = {};
-};
 
 /// The chosen configurations and what they refer to.
 struct Setup {
@@ -110,18 +88,6 @@ compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path)
   return plan;
 }
 
-/// Creates the folder. A folder that is not empty must hold a report, which is replaced. Errors: kUsage, kWriteFailed.
-void prepareFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder, error))
-    throw Error(ErrorCode::kWriteFailed, "the folder cannot be created", folder);
-  const bool empty = std::filesystem::is_empty(folder, error);
-  if (error) throw Error(ErrorCode::kWriteFailed, error.message(), folder);
-  if (!empty && !compare::holdsLog(folder))
-    throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", folder);
-}
-
 std::string duration(double seconds) {
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
   if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
@@ -148,8 +114,8 @@ class RunProgress {
     line_.update(done, fmt::format("{}{}{}", experiment_.nextStep(), left.empty() ? "" : ", left: ", left));
     if (quiet_ || line_.visible() || 10 * done / count == tenths_) return;
     tenths_ = 10 * done / count;
-    fmt::print(stderr, "jalousie: {} of {} steps done{}{}\n", done, count, done < count ? ", left: " : "",
-               done < count ? left : "");
+    printError(fmt::format("jalousie: {} of {} steps done{}{}", done, count, done < count ? ", left: " : "",
+                           done < count ? left : ""));
   }
 
  private:
@@ -204,13 +170,14 @@ void runSteps(compare::Experiment& experiment, const CompareOptions& options) {
       std::filesystem::remove(options.output / name, ignored);
   }
   RunProgress progress(experiment, options.quiet);
-  for (progress.update(); experiment.stepsDone() < experiment.stepCount() && interrupted == 0; progress.update())
+  for (progress.update(); experiment.stepsDone() < experiment.stepCount() && !interrupted(); progress.update())
     experiment.runStep();
 }
 
 }  // namespace
 
 int runCompare(const CompareOptions& options) {
+  compare::ReportFolder folder(options.output);
   Setup setup;
   setUp(options, setup);
   const asset::SceneFile file = asset::readSceneFile(options.scene);
@@ -225,27 +192,27 @@ int runCompare(const CompareOptions& options) {
   const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
   if (!options.quiet) warn(options, setup, scenes, context.capabilities());
-  prepareFolder(options.output);
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
+  folder.create();
+  const DeferredInterruptions deferred;
   compare::Experiment experiment(
       {scenes, path, setup.configurations, plan, options.output, fingerprint, options.resume});
 
-  const InterruptGuard guard;
   runSteps(experiment, options);
   debug.check();
-  if (!options.quiet) fmt::print(stderr, "jalousie: writing the report\n");
+  if (!options.quiet) printError("jalousie: writing the report");
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,
                   {options.scene.filename().string(), options.path.filename().string(), plan.renderer,
                    plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION});
-  if (options.json == "-")
-    fmt::print("{}", jsonText(summary));
+  if (options.json == kStandardOutput)
+    printOutput(jsonText(summary));
   else if (!options.quiet)
-    fmt::print("{}{}\n", compare::summaryText(summary), (options.output / "index.html").string());
+    printOutput(fmt::format("{}{}\n", compare::summaryText(summary), (options.output / "index.html").string()));
   if (experiment.stepsDone() == experiment.stepCount()) return 0;
-  fmt::print(stderr, "jalousie: {}: interrupted after {} of {} steps; the same command with --resume continues\n",
-             options.output.string(), experiment.stepsDone(), experiment.stepCount());
-  return kInterrupted;
+  printError(fmt::format("jalousie: {}: interrupted after {} of {} steps; the same command with --resume continues",
+                         oneLine(options.output.string()), experiment.stepsDone(), experiment.stepCount()));
+  return interruptionExitCode();
 }
 
 }  // namespace jalousie::app

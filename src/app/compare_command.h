@@ -5,11 +5,9 @@
 
 namespace jalousie::app {
 
-/// Exit code after SIGINT or SIGTERM. The report holds what was measured; --resume continues it.
-inline constexpr int kInterrupted = 130;
-
-/// @param options  after finish()   @return  exit code, 0 or kInterrupted
-/// Errors: kUsage, kNoGpu, kShader, kWriteFailed, as readSceneFile.
+/// A signal ends the measurements after the current step. The report then holds what was measured; --resume continues
+/// it. @param options  after finish()   @return  exit code, 0 or that of core/interruption.h
+/// Errors: kUsage, kNoGpu, kShader, kWriteFailed (another run is using the folder, too), as readSceneFile.
 int runCompare(const CompareOptions& options);
 
 }  // namespace jalousie::app

@@ -127,7 +127,7 @@ constexpr const char* kExamples = R"(Examples:
       counts triangles over the whole path in minutes: only the culling passes run
   jalousie compare scene.glb --configs all -o report --resume
       continues after an interruption
-Exit codes: 0 done; 130 interrupted, and the report holds what was measured; others as in docs/formats.md.
+After a signal the report holds what was measured. Two runs cannot use one folder at a time.
 )";
 
 }  // namespace

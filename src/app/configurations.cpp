@@ -10,6 +10,7 @@
 
 #include "app/option_values.h"
 #include "app/render_command_line.h"
+#include "cli/program.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -109,11 +110,9 @@ RenderOptions optionsOf(const ConfigurationText& configuration) {
   parser.set_help_flag();
   addMethodOptions(parser, options);
   try {
-    parser.parse(configuration.options);
+    cli::parse(parser, configuration.options);
     options.statsOnly = true;  // the experiment saves the pictures, so --output is not required
     options.finish();
-  } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::kUsage, fmt::format("configuration \"{}\": {}", configuration.name, error.what()));
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("configuration \"{}\": {}", configuration.name, error.what()));
   }

@@ -11,7 +11,8 @@
 #include "app/number_option.h"
 #include "asset/image_io.h"
 #include "core/error.h"
-#include "core/file.h"
+#include "core/output_files.h"
+#include "core/standard_streams.h"
 
 namespace jalousie::app {
 namespace {
@@ -47,6 +48,8 @@ Examples:
 }
 
 void runDiff(const DiffOptions& options) {
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
+               std::vector{options.reference, options.test});
   const ImageRgba8 reference = asset::loadImage(options.reference);
   const ImageRgba8 test = asset::loadImage(options.test);
   if (reference.width != test.width || reference.height != test.height)
@@ -70,12 +73,8 @@ void runDiff(const DiffOptions& options) {
   figures["psnr"] = std::isfinite(psnr) ? nlohmann::ordered_json(psnr) : nlohmann::ordered_json();
   if (!options.output.empty())
     asset::savePng(compare::errorPicture(map, reference.width, reference.height), options.output);
-  if (options.json == "-") {
-    fmt::print("{}\n", figures.dump(2));
-    return;
-  }
-  if (!options.json.empty()) writeFileAtomic(options.json, figures.dump(2) + "\n");
-  fmt::print("{}", text(options, figures));
+  if (!options.json.empty()) writeText(options.json, figures.dump(2) + "\n");
+  if (options.json != kStandardOutput) printOutput(text(options, figures));
 }
 
 }  // namespace jalousie::app

@@ -16,6 +16,8 @@
 #include "asset/gltf_file.h"
 #include "core/check.h"
 #include "core/error.h"
+#include "core/output_files.h"
+#include "core/standard_streams.h"
 #include "scene/camera.h"
 #include "scene/scene_data.h"
 
@@ -158,6 +160,7 @@ Blender and other tools can read the file. Any glTF file with an animated camera
 }
 
 void runRecord(const RecordOptions& options) {
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output}}, std::vector{options.scene});
   if (!options.keys.empty() && options.orbitGiven)
     throw Error(ErrorCode::kUsage,
                 "--orbit, --elevation, --distance and --frames describe an orbit; they cannot be combined with --key");
@@ -172,8 +175,8 @@ void runRecord(const RecordOptions& options) {
       savePath(keys.empty() ? orbitTrack(options, scene.boundsWorld) : splineTrack(keys, scene.boundsWorld),
                glm::radians(options.fovDegrees), scene.boundsWorld, options.output);
   if (!options.quiet)
-    fmt::print("{}: {} frames, {:.1f} s\n", options.output.string(), frames,
-               static_cast<double>(frames) / static_cast<double>(scene::kPathRate));
+    printOutput(fmt::format("{}: {} frames, {:.1f} s\n", oneLine(options.output.string()), frames,
+                            static_cast<double>(frames) / static_cast<double>(scene::kPathRate)));
 }
 
 }  // namespace jalousie::app

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
+#include <vector>
 
 #include "app/capture.h"
 #include "app/gl_debug.h"
@@ -12,8 +12,9 @@
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
-#include "core/file.h"
+#include "core/output_files.h"
 #include "core/progress.h"
+#include "core/standard_streams.h"
 #include "platform/headless_context.h"
 #include "render/frame_renderer.h"
 #include "scene/scene_data.h"
@@ -23,17 +24,15 @@ namespace jalousie::app {
 namespace {
 
 void writeReport(const RenderOptions& options, const RenderReport& report) {
-  if (options.json == "-") {
-    fmt::print("{}", reportJson(options, report));
-  } else {
-    if (!options.json.empty()) writeFileAtomic(options.json, reportJson(options, report));
-    if (!options.quiet) fmt::print("{}", reportText(options, report));
-  }
+  if (!options.json.empty()) writeText(options.json, reportJson(options, report));
+  if (options.json != kStandardOutput && !options.quiet) printOutput(reportText(options, report));
 }
 
 }  // namespace
 
 void runRender(const RenderOptions& options) {
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
+               std::vector{options.scene, options.path, options.importance});
   const asset::SceneFile file = asset::readSceneFile(options.scene);
   const scene::SceneData scene = scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
@@ -53,8 +52,9 @@ void runRender(const RenderOptions& options) {
   if (rowOf(options.frameOptions.detail).patches)
     warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
   if (report.statistics.dropped > 0)
-    fmt::print(stderr, "jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing\n",
-               options.scene.string(), report.statistics.dropped, options.rendererOptions.capacity.value_or(0));
+    printError(fmt::format("jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing",
+                           oneLine(options.scene.string()), report.statistics.dropped,
+                           options.rendererOptions.capacity.value_or(0)));
   const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
   if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);

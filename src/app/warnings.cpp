@@ -3,28 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
+#include "core/error.h"
+#include "core/standard_streams.h"
 #include "render/tessellation_limit.h"
 
 namespace jalousie::app {
 
 void warnUnmeasuredLevels(const std::filesystem::path& file) {
-  fmt::print(stderr,
-             "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; "
-             "bake the file with jalousie-bake\n",
-             file.string());
+  printError(fmt::format(
+      "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; bake the file with "
+      "jalousie-bake",
+      oneLine(file.string())));
 }
 
 void warnTessellationLimit(const std::filesystem::path& file, const scene::SceneData& scene,
                            const gl::Capabilities& capabilities, gpu::uint wanted) {
   const gpu::uint limit = render::tessellationLimit(capabilities, scene.maxPatchTriangles);
   if (limit >= wanted) return;
-  fmt::print(
-      stderr,
+  printError(fmt::format(
       "jalousie: warning: {}: tessellation limited to level {}: the base mesh has {} triangles and this software "
-      "renderer drops vertices above that\n",
-      file.string(), limit, scene.maxPatchTriangles);
+      "renderer drops vertices above that",
+      oneLine(file.string()), limit, scene.maxPatchTriangles));
 }
 
 }  // namespace jalousie::app

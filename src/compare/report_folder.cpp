@@ -2,11 +2,17 @@
 #include "compare/report_folder.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "compare/experiment_log.h"
 #include "core/error.h"
+#include "core/file.h"
 
 namespace jalousie::compare {
 namespace {
@@ -35,7 +41,55 @@ void removeFiles(const std::filesystem::path& folder, const auto& isOld) {
     std::filesystem::remove(file, error);
 }
 
+/// Refuses a folder in which nothing can be created.
+void requireWritable(const std::filesystem::path& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw Error(ErrorCode::kWriteFailed, fmt::format("the folder cannot be written: {}", std::strerror(errno)), folder);
+}
+
+/// The nearest folder above a missing one that exists.
+std::filesystem::path existingParent(std::filesystem::path folder) {
+  std::error_code error;
+  folder = std::filesystem::absolute(folder, error);
+  while (!std::filesystem::exists(folder, error) && folder.has_relative_path())
+    folder = folder.parent_path();
+  return folder;
+}
+
 }  // namespace
+
+ReportFolder::ReportFolder(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code error;
+  if (std::filesystem::exists(path_, error)) {
+    lock();
+    return;
+  }
+  const std::filesystem::path parent = existingParent(path_);
+  if (!std::filesystem::is_directory(parent, error))
+    throw Error(ErrorCode::kWriteFailed, fmt::format("{} is not a folder", parent.string()), path_);
+  requireWritable(parent);
+}
+
+void ReportFolder::lock() {
+  lock_.emplace(path_);
+  std::error_code error;
+  const bool empty = std::filesystem::is_empty(path_, error);
+  if (error) throw Error(ErrorCode::kWriteFailed, error.message(), path_);
+  if (!empty && !holdsLog(path_))
+    throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", path_);
+  requireWritable(path_);
+}
+
+void ReportFolder::create() {
+  if (!lock_) {
+    std::error_code error;
+    std::filesystem::create_directories(path_, error);
+    if (error) throw Error(ErrorCode::kWriteFailed, error.message(), path_);
+    lock();
+  }
+  for (const std::filesystem::path& folder : {path_, path_ / kPictures, path_ / kReferences})
+    removeAbandonedFiles(folder);
+}
 
 std::string pictureName(std::uint32_t frame, const std::string& configuration, Picture picture) {
   std::string name;

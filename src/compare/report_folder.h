@@ -1,13 +1,35 @@
-// Names of the picture files in a report's folder, and the removal of those that an earlier experiment left.
+// The folder of a report: which folders are taken, the lock on it, names of its pictures, and the removal of those that
+// an earlier experiment left.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "core/folder_lock.h"
 
 namespace jalousie::compare {
 
 enum class Picture { kImage, kError, kLod };
+
+/// The folder of a report while a run uses it. No other run can use it meanwhile; the kernel releases the lock when the
+/// run ends, however it ends.
+class ReportFolder {
+ public:
+  /// Checks the folder before the run's work: it may be missing, be empty or hold a report, which is replaced.
+  /// Errors: kUsage if it holds other files and no report; kWriteFailed if it cannot be created or written, or another
+  /// run is using it.
+  explicit ReportFolder(std::filesystem::path path);
+  /// Creates it if it is missing, and removes unfinished files of killed runs. Errors: as the constructor.
+  void create();
+
+ private:
+  void lock();
+
+  std::filesystem::path path_;
+  std::optional<FolderLock> lock_;  ///< absent: the folder does not exist yet
+};
 
 /// The reference's name among those of the configurations.
 inline constexpr const char* kReferenceName = "reference";

@@ -10,10 +10,12 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
 #include "core/file_read.h"
+#include "core/interruption.h"
 
 namespace jalousie {
 namespace {
@@ -54,7 +56,7 @@ bool isSameFile(int fd, const char* path) {
 }
 
 /// A file on its way to its name. While it has a name of its own it is locked, which tells removeAbandonedFiles that
-/// its writer is alive; a process that dies lets go of the lock.
+/// its writer is alive; a process that dies lets go of the lock. Meanwhile signals wait, so that none leaves the file.
 class StagedFile {
  public:
   explicit StagedFile(std::filesystem::path target) : target_(std::move(target)), folder_(folderOf(target_)) {
@@ -82,6 +84,7 @@ class StagedFile {
       if (name_.empty()) nameIt();
       if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
       name_.clear();
+      held_.reset();
     }
     const Descriptor directory(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (directory.valid() && ::fsync(directory.get()) != 0 && errno != EINVAL) fail();
@@ -95,6 +98,7 @@ class StagedFile {
   }
 
   void openNamed() {
+    held_.emplace();
     for (int attempt = 0; attempt < kAttempts && !file_.valid(); ++attempt) {
       const std::string name = partName(attempt);
       file_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
@@ -117,6 +121,7 @@ class StagedFile {
   /// Gives an unnamed file a name, from which it can be renamed over an existing target.
   void nameIt() {
     if (errno != EEXIST) fail();
+    held_.emplace();
     ::flock(file_.get(), LOCK_EX | LOCK_NB);
     for (int attempt = 0; name_.empty(); ++attempt) {
       if (linkTo(partName(attempt))) {
@@ -132,6 +137,7 @@ class StagedFile {
   std::filesystem::path folder_;
   Descriptor file_;
   std::string name_;  ///< of its own; empty while it has none
+  std::optional<HeldInterruptions> held_;
 };
 
 /// Writes to what is there and no file: /dev/stdout, a pipe.

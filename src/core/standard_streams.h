@@ -5,7 +5,8 @@
 
 namespace jalousie {
 
-/// Opens /dev/null in place of closed standard streams, so that no other file gets their numbers. Call it first.
+/// Opens /dev/null in place of closed standard streams, so that no other file gets their numbers. Reading from or
+/// writing to a stream that was closed still fails. Call it first.
 void openStandardStreams();
 
 /// Writes a line to standard error; a failure is ignored.
@@ -13,5 +14,12 @@ void printError(std::string_view line) noexcept;
 
 /// Writes all of a text to standard output. Errors: kWriteFailed.
 void printOutput(std::string_view text);
+
+/// Writes what the C and C++ libraries still hold for standard output. Errors: kWriteFailed, also for a write that
+/// failed earlier and that nobody noticed.
+void flushOutput();
+
+/// Whether standard output is a pipe that nobody reads any more, as a failed write has shown.
+bool outputReaderIsGone() noexcept;
 
 }  // namespace jalousie

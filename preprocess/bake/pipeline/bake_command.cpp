@@ -16,6 +16,8 @@
 #include "bake/pipeline/job_list.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/interruption.h"
+#include "core/output_files.h"
 #include "core/standard_streams.h"
 
 namespace jalousie::bake {
@@ -118,22 +120,31 @@ void writeDepfile(const CommandLine& command, const std::vector<BakeJob>& jobs, 
 }
 
 void putReport(const CommandLine& command, const std::string& json) {
-  if (command.json == "-") printOutput(json);
-  if (command.json != "-" && !command.json.empty()) writeFileAtomic(command.json, json);
+  if (!command.json.empty()) writeText(command.json, json);
 }
 
 void tellOfBatch(const CommandLine& command, const std::vector<BakeJob>& jobs, const BatchOutcome& outcome) {
   putReport(command, batchJson(jobs, outcome));
-  if (command.json != "-" && !command.quiet) printOutput(summaryText(outcome));
+  if (command.json != kStandardOutput && !command.quiet) printOutput(summaryText(outcome));
 }
 
 void tellOfOne(const CommandLine& command, const JobResult& result) {
   if (result.status == JobStatus::kFailed || result.status == JobStatus::kNotStarted) return;
   putReport(command, result.report);
-  if (command.json == "-" || command.quiet) return;
+  if (command.json == kStandardOutput || command.quiet) return;
   printOutput(result.table);
   if (result.status != JobStatus::kBaked)
     printOutput(fmt::format("{}: {}\n", oneLine(command.output.string()), statusName(result.status)));
+}
+
+/// Checks what the run writes; jobsInto has compared the outputs of a batch with its inputs.
+void checkFiles(const CommandLine& command, const std::vector<BakeJob>& jobs) {
+  std::vector<NamedFile> outputs = {{"--json", command.json, true}, {"--depfile", command.depfile}};
+  std::vector<fs::path> inputs = {command.filesFrom};
+  for (const BakeJob& job : jobs)
+    inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
+  if (!isBatch(command)) outputs.insert(outputs.begin(), {{"-o", command.output}, {"--sheet", command.sheet}});
+  checkOutputs(outputs, inputs);
 }
 
 JobSettings settingsOf(const CommandLine& command) {
@@ -148,7 +159,7 @@ JobSettings settingsOf(const CommandLine& command) {
 }
 
 int exitCode(const CommandLine& command, const BatchOutcome& outcome) {
-  if (outcome.interrupted) return kInterrupted;
+  if (outcome.interrupted) return interruptionExitCode();
   const auto failed = std::find_if(outcome.jobs.begin(), outcome.jobs.end(),
                                    [](const JobOutcome& job) { return job.failure.has_value(); });
   if (failed == outcome.jobs.end()) return 0;
@@ -159,6 +170,7 @@ int exitCode(const CommandLine& command, const BatchOutcome& outcome) {
 
 int runBake(const CommandLine& command) {
   const std::vector<BakeJob> jobs = makeJobs(command);
+  checkFiles(command, jobs);
   BatchOptions options;
   options.jobs = command.jobs;
   options.maxMemoryBytes = command.maxMemory;
@@ -168,12 +180,12 @@ int runBake(const CommandLine& command) {
   const BatchOutcome outcome = runBatch(jobs, settingsOf(command), options);
   if (!command.cache.empty() && countStatus(outcome)[JobStatus::kBaked] > 0)
     trimCache(command.cache, command.cacheLimit);
+  writeDepfile(command, jobs, outcome);
   if (isBatch(command)) {
     tellOfBatch(command, jobs, outcome);
   } else {
     tellOfOne(command, outcome.jobs.front().result);
   }
-  writeDepfile(command, jobs, outcome);
   if (outcome.interrupted) {
     const std::size_t open = countStatus(outcome)[JobStatus::kNotStarted];
     printError(fmt::format("jalousie-bake: interrupted; {} of {} files are not done, the others are whole", open,

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include <thread>
 
 #include "core/file.h"
+#include "core/interruption.h"
 #include "core/progress.h"
 
 namespace jalousie::bake {
@@ -27,37 +27,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kMaxJobs = 256;
-
-/// Delivers SIGINT, SIGTERM and SIGHUP through a descriptor. Ignored signals stay ignored, as nohup needs it. The
-/// destructor restores the signal mask.
-class Interruptions {
- public:
-  Interruptions() {
-    sigset_t signals;
-    ::sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      struct sigaction action = {};
-      if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::sigaddset(&signals, signal);
-    }
-    ::signal(SIGCHLD, SIG_DFL);  // if it were ignored, the exit codes of workers would be lost
-    ::sigprocmask(SIG_BLOCK, &signals, &before_);
-    descriptor_ = Descriptor(::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
-    if (!descriptor_.valid()) throw Error(ErrorCode::kInternal, std::strerror(errno));
-  }
-  ~Interruptions() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  Interruptions(const Interruptions&) = delete;
-  Interruptions& operator=(const Interruptions&) = delete;
-
-  int descriptor() const { return descriptor_.get(); }
-  bool arrived() const {
-    signalfd_siginfo info = {};
-    return ::read(descriptor_.get(), &info, sizeof info) == static_cast<ssize_t>(sizeof info);
-  }
-
- private:
-  sigset_t before_ = {};
-  Descriptor descriptor_;
-};
 
 std::uint64_t bytesOf(const BakeJob& job) {
   std::uint64_t bytes = 0;
@@ -107,6 +76,7 @@ class Batch {
   }
 
   BatchOutcome run() {
+    ::signal(SIGCHLD, SIG_DFL);  // if it were ignored, the exit codes of workers would be lost
     for (const fs::path& folder : outputFolders())
       removeAbandonedFiles(folder);
     while ((next_ < jobs_.size() || !running_.empty()) && !outcome_.interrupted) {
@@ -155,17 +125,15 @@ class Batch {
   }
 
   void wait() {
-    std::vector<pollfd> files = {{interruptions_.descriptor(), POLLIN, 0}};
+    std::vector<pollfd> files;
     for (const Running& running : running_)
       files.push_back({running.worker.descriptor(), POLLIN, 0});
-    ::poll(files.data(), files.size(), 200);
-    if (interruptions_.arrived()) {
-      outcome_.interrupted = true;
-      return;
-    }
-    std::size_t file = 1;
+    const bool heard = ::poll(files.data(), files.size(), 200) > 0;  // a signal ends the call as well
+    outcome_.interrupted = interrupted();
+    if (outcome_.interrupted) return;
+    std::size_t file = 0;
     for (auto running = running_.begin(); running != running_.end(); ++file) {
-      if (files[file].revents != 0 && !running->worker.listen()) {
+      if (heard && files[file].revents != 0 && !running->worker.listen()) {
         finish(*running);
         running = running_.erase(running);
         continue;
@@ -215,7 +183,7 @@ class Batch {
   std::span<const BakeJob> jobs_;
   const JobSettings& settings_;
   const BatchOptions& options_;
-  Interruptions interruptions_;
+  DeferredInterruptions deferred_;
   Progress progress_;
   WorkerLimits limits_;
   std::size_t workers_ = 1;

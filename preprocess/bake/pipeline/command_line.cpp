@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "bake/pipeline/build_identity.h"
+#include "cli/program.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
@@ -40,11 +41,7 @@ constexpr const char* kExamples = R"(Examples:
       write a rule for Make and Ninja: chair.d names every buffer and image that chair.glb depends on
 
 The output is glTF 2.0 with MSFT_lod. The mesh of each level stores its triangles, its vertices and the measured
-deviation from LOD 0 (object units) in extras.jalousie.
-
-Exit codes: 0 done, 2 command line, 3 file not found, 4 cannot be read, 5 malformed, 6 not supported, 7 over a limit,
-8 cannot be written, 11 some files of a batch failed, 70 a defect, 130 interrupted. A failure is one line on standard
-error; an output file that existed before is then unchanged.)";
+deviation from LOD 0 (object units) in extras.jalousie.)";
 
 constexpr const char* kInspectExamples = R"(Examples:
   jalousie-bake inspect city.glb
@@ -76,19 +73,6 @@ std::string chosenOptions(const CLI::App& program, const char* group) {
   return text;
 }
 
-/// @return  false if --help or --version was printed
-bool parse(CLI::App& program, int argc, const char* const* argv, const char* help) {
-  try {
-    program.parse(argc, argv);
-    return true;
-  } catch (const CLI::Success& answer) {
-    program.exit(answer);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::kUsage, fmt::format("{} (see {} --help)", error.what(), help));
-  }
-}
-
 std::optional<CommandLine> parseInspect(int argc, const char* const* argv) {
   CommandLine result;
   result.inspect = true;
@@ -100,7 +84,7 @@ std::optional<CommandLine> parseInspect(int argc, const char* const* argv) {
   program.add_option("--sheet", result.sheet, "Write a page with pictures of every level")->type_name("OUT.html");
   program.add_flag("-q,--quiet", result.quiet, "Print no tables");
   program.footer(kInspectExamples);
-  if (!parse(program, argc, argv, "jalousie-bake inspect")) return std::nullopt;
+  if (!cli::parse(program, argc, argv)) return std::nullopt;
   if (json) result.json = "-";
   return result;
 }
@@ -320,7 +304,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   addSimplifyOptions(program, result.bake.chain);
   addDocumentOptions(program, result);
   program.footer(kExamples);
-  if (!parse(program, argc, argv, "jalousie-bake")) return std::nullopt;
+  if (!cli::parse(program, argc, argv)) return std::nullopt;
   checkOptions(program, result);
   result.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(timeout * 1000.0));
   result.chosen = chosenOptions(program, kBaking);

@@ -20,6 +20,7 @@
 
 #include "bake/pipeline/job.h"
 #include "bake/pipeline/threads.h"
+#include "core/interruption.h"
 
 namespace jalousie::bake {
 namespace {
@@ -132,9 +133,7 @@ Worker::Worker(const BakeJob& job, const JobSettings& settings, const WorkerLimi
   if (pid_ > 0) return;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) std::_Exit(0);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ignoreInterruptions();  // a terminal signals all processes of a command; the parent ends this one
   work(childEnd.get(), job, settings, limits);
 }
 

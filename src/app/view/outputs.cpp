@@ -9,7 +9,7 @@
 #include "app/view/command_text.h"
 #include "app/view/output_files.h"
 #include "asset/image_io.h"
-#include "core/file.h"
+#include "core/output_files.h"
 
 namespace jalousie::app {
 
@@ -63,7 +63,7 @@ void Outputs::saveFigures() {
 void Outputs::writeFigures(const std::filesystem::path& file) const {
   const gl::Capabilities& capabilities = window_.capabilities();
   const std::string text = state_.history.json(capabilities.renderer, !capabilities.softwareRenderer);
-  file == "-" ? fmt::print("{}", text) : writeFileAtomic(file, text);
+  writeText(file, text);
 }
 
 }  // namespace jalousie::app

@@ -5,9 +5,10 @@
 
 namespace jalousie::app {
 
-/// Runs the viewer until its window is closed. @param options  finished
+/// Runs the viewer until its window is closed. A signal closes the window as its user does; a script (--frames or
+/// --screenshot) ends at once and writes nothing. @param options  finished   @return  exit code
 /// Errors: as Viewer::finish(); kNoGpu without a display, with a message that names the headless command; kInternal
 /// with --debug after an OpenGL message of medium or high severity.
-void runView(const ViewOptions& options);
+int runView(const ViewOptions& options);
 
 }  // namespace jalousie::app

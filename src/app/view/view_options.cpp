@@ -7,6 +7,7 @@
 #include "app/gl_debug.h"
 #include "app/option_checks.h"
 #include "app/render_command_line.h"
+#include "cli/program.h"
 #include "core/error.h"
 
 namespace jalousie::app {
@@ -105,9 +106,9 @@ RenderOptions viewOptionsOf(const std::string& text) {
   addMethodOptions(parser, options);
   addPictureOptions(parser, options);
   try {
-    parser.parse(text);
-  } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::kUsage, std::string("--split: ") + error.what());
+    cli::parse(parser, text);
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string("--split: ") + error.what());
   }
   RenderOptions check = options;
   check.finishFrame();
