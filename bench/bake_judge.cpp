@@ -24,6 +24,7 @@
 #include "bake/mesh/wedges.h"
 #include "bake/pipeline/threads.h"
 #include "bake/simplify/measure.h"
+#include "cli/program.h"
 #include "core/aabb.h"
 #include "core/error.h"
 #include "core/random.h"
@@ -166,11 +167,8 @@ int main(int argc, char** argv) {
                "example: bake_judge dragon.ply dragon.glb@1 dragon.glb@2\n");
     return 2;
   }
-  try {
+  return cli::runProgram("bake_judge", [&] {
     run(argc, argv);
     return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "bake_judge: {}\n", error.what());
-    return 1;
-  }
+  });
 }

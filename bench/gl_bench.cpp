@@ -3,15 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include "bench_head.h"
+#include "cli/program.h"
 #include "core/error.h"
-#include "core/file.h"
+#include "core/output_files.h"
+#include "core/standard_streams.h"
 #include "platform/headless_context.h"
 #include "render/frame_statistics.h"
 
@@ -43,37 +44,32 @@ void requireCounts(const render::FrameStatistics& statistics, const std::string&
 GlBench::GlBench(const char* name, const char* description, const char* examples)
     : name_(name), app_(description, name) {
   app_.get_formatter()->column_width(32);
-  app_.add_option("--json", json_, "Write head and figures as JSON to this file")->type_name("FILE");
-  app_.footer(examples);
+  app_.add_option("--json", json_, "Write head and figures as JSON to this file; - for standard output, after the text")
+      ->type_name("FILE");
+  app_.footer(std::string(examples) + "\nExit code 1: a result is wrong.");
 }
 
 int GlBench::run(int argc, char** argv, const std::function<void(nlohmann::ordered_json& figures)>& body) {
-  try {
-    app_.parse(argc, argv);
+  return cli::runProgram(name_.c_str(), [&] {
+    if (!cli::parse(app_, argc, argv)) return 0;
+    checkOutputs(std::vector<NamedFile>{{"--json", json_, true}}, {});
     const platform::HeadlessContext context(/*debug=*/false);
     Head head = makeHead(name_, std::vector<std::string>(argv + 1, argv + argc));
     head.renderer = context.capabilities().renderer;
     head.version = context.capabilities().version;
-    fmt::print("{}\n", toText(head));
-    std::fflush(stdout);
+    printOutput(toText(head) + "\n");
     nlohmann::ordered_json figures;
-    body(figures);
+    try {
+      body(figures);
+    } catch (const WrongResult& wrong) {
+      printError(fmt::format("{}: wrong result: {}", name_, wrong.what()));
+      return kWrongResult;
+    }
     const nlohmann::ordered_json json = {{"head", toJson(head)}, {"figures", figures}};
     if (!json_.empty())
-      writeFileAtomic(json_, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+      writeText(json_, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     return 0;
-  } catch (const CLI::Success& answer) {
-    return app_.exit(answer);
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "{}: {} (see {} --help)\n", name_, error.what(), name_);
-    return static_cast<int>(ErrorCode::kUsage);
-  } catch (const WrongResult& wrong) {
-    fmt::print(stderr, "{}: wrong result: {}\n", name_, wrong.what());
-    return kWrongResult;
-  } catch (const Error& error) {
-    fmt::print(stderr, "{}: {}\n", name_, error.what());
-    return error.exitCode();
-  }
+  });
 }
 
 }  // namespace jalousie::bench

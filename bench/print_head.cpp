@@ -7,14 +7,18 @@
 #include <vector>
 
 #include "bench_head.h"
+#include "cli/program.h"
+#include "core/standard_streams.h"
 
 int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr, "usage: bench_head NAME ARGUMENT...\n");
     return 2;
   }
-  const std::vector<std::string> arguments(argv + 2, argv + argc);
-  const nlohmann::ordered_json head = toJson(jalousie::bench::makeHead(argv[1], arguments));
-  std::printf("%s\n", head.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
-  return 0;
+  return jalousie::cli::runProgram("bench_head", [&] {
+    const std::vector<std::string> arguments(argv + 2, argv + argc);
+    const nlohmann::ordered_json head = toJson(jalousie::bench::makeHead(argv[1], arguments));
+    jalousie::printOutput(head.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return 0;
+  });
 }

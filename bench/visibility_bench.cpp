@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench_head.h"
-#include "core/error.h"
+#include "cli/program.h"
 #include "platform/headless_context.h"
 #include "render/frame_renderer.h"
 #include "support/stages.h"
@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(words.size());
   benchmark::Initialize(&count, pointers.data(), printHelp);
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-  try {
+  return cli::runProgram("visibility_bench", [&] {
     const platform::HeadlessContext context(/*debug=*/false);
     bench::Head head = bench::makeHead("visibility_bench", arguments);
     head.renderer = context.capabilities().renderer;
@@ -166,8 +166,5 @@ int main(int argc, char** argv) {
       benchmark::AddCustomContext(key, value);
     benchmark::RunSpecifiedBenchmarks();
     return failed ? 1 : 0;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "visibility_bench: %s\n", error.what());
-    return error.exitCode();
-  }
+  });
 }

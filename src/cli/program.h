@@ -17,8 +17,8 @@ namespace jalousie::cli {
 /// @param name  of the program, before each line   @return  exit code
 int runProgram(const char* name, const std::function<int()>& body);
 
-/// Parses a command line; every help then ends with the exit codes. No option and no positional may have an empty value: it would be taken for an absent one, and
-/// no file has an empty name.
+/// Parses a command line; every help then ends with the exit codes. No option and no positional may have an empty
+/// value: it would be taken for an absent one, and no file has an empty name.
 /// @return  false if --help or --version was answered on standard output
 /// Errors: kUsage, with a message that names the --help of the command; kWriteFailed.
 bool parse(CLI::App& program, int argc, const char* const* argv);

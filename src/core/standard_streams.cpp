@@ -19,7 +19,8 @@ bool readerIsGone = false;
 
 [[noreturn]] void failOutput(int reason) {
   readerIsGone = reason == EPIPE;
-  throw Error(ErrorCode::kWriteFailed, reason != 0 ? std::strerror(reason) : "cannot be written", "standard output");
+  const char* text = reason == EBADF ? "is closed" : reason != 0 ? std::strerror(reason) : "cannot be written";
+  throw Error(ErrorCode::kWriteFailed, text, "standard output");
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // Errors, checks, files, random numbers, medians and boxes.
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,8 +18,11 @@
 #include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/folder_lock.h"
+#include "core/interruption.h"
 #include "core/median.h"
 #include "core/random.h"
+#include "core/standard_streams.h"
 #include "support/run_program.h"
 
 namespace jalousie {
@@ -49,6 +54,67 @@ TEST(Check, FailureAbortsAndShowsBothValues) {
   const int have = 3;
   EXPECT_DEATH(JAL_CHECK(have < 2), "have < 2  with 3 < 2");
   JAL_CHECK(have == 3);
+}
+
+TEST(Interruption, EndsTheProgramAtOnceWithOneLine) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto interrupt = [](int signal) {
+    endOnInterruptions("program");
+    ::raise(signal);
+  };
+  EXPECT_EXIT(interrupt(SIGHUP), testing::ExitedWithCode(129), "^program: interrupted\n$");
+  EXPECT_EXIT(interrupt(SIGINT), testing::ExitedWithCode(130), "^program: interrupted\n$");
+  EXPECT_EXIT(interrupt(SIGTERM), testing::ExitedWithCode(143), "^program: interrupted\n$");
+}
+
+TEST(Interruption, WaitsWhileItIsDeferredUntilTheSecondSignal) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto once = [] {
+    endOnInterruptions("program");
+    const DeferredInterruptions deferred;
+    ::raise(SIGTERM);
+    std::_Exit(interrupted() ? interruptionExitCode() : 0);
+  };
+  const auto twice = [] {
+    endOnInterruptions("program");
+    const DeferredInterruptions deferred;
+    ::raise(SIGTERM);
+    ::raise(SIGINT);
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(once(), testing::ExitedWithCode(143), "^$");
+  EXPECT_EXIT(twice(), testing::ExitedWithCode(130), "^program: interrupted\n$");
+}
+
+TEST(Interruption, IgnoredSignalsStayIgnoredAndHeldOnesWait) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto ignored = [] {
+    ::signal(SIGHUP, SIG_IGN);
+    endOnInterruptions("program");
+    ::raise(SIGHUP);
+    std::_Exit(7);
+  };
+  const auto held = [] {
+    endOnInterruptions("program");
+    {
+      const HeldInterruptions hold;
+      ::raise(SIGTERM);
+      printError("held");
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(ignored(), testing::ExitedWithCode(7), "^$");
+  EXPECT_EXIT(held(), testing::ExitedWithCode(143), "^held\nprogram: interrupted\n$");
+}
+
+TEST(FolderLock, AdmitsOneAtATime) {
+  const test::TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path());
+    EXPECT_EQ(codeOf([&] { FolderLock(folder.path()); }), ErrorCode::kWriteFailed);
+  }
+  EXPECT_NO_THROW(FolderLock(folder.path()));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(File, WrittenBytesComeBackAndReplaceTheOldOnes) {

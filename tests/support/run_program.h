@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,46 @@ struct ProgramResult {
   std::uint64_t peakBytes = 0;  ///< resident memory of the largest of them
 };
 
+/// Where a program's standard output goes.
+enum class StandardOutput {
+  kCollected,
+  kFull,      ///< /dev/full: every write fails
+  kClosed,    ///< no open file
+  kNoReader,  ///< a pipe that nobody reads
+};
+
 struct ProgramSetup {
   std::vector<std::string> environment = {};  ///< "NAME=VALUE", added to ours and to JALOUSIE_GL_DEBUG=1
   std::filesystem::path folder = {};          ///< to run in; empty: ours
   std::chrono::milliseconds signalAfter{0};   ///< 0: never; counted from the start
   int signal = 9;
+  StandardOutput output = StandardOutput::kCollected;
+  int ignoredSignal = 0;  ///< ignored when the program starts, as nohup does; 0: none
 };
 
-/// Runs `program ARGUMENT...` without a shell and waits for it. A message of an OpenGL debug context, of medium or high
-/// severity, gives jalousie the exit code 70.
+class TemporaryFolder;
+
+/// `program ARGUMENT...`, started without a shell. A message of an OpenGL debug context, of medium or high severity,
+/// gives jalousie the exit code 70.
+class RunningProgram {
+ public:
+  RunningProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 const ProgramSetup& setup = {});
+  /// Kills the program if wait was not called.
+  ~RunningProgram();
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+
+  void signal(int number) const;
+  /// Waits for the end. Call it once.
+  ProgramResult wait();
+
+ private:
+  std::unique_ptr<TemporaryFolder> folder_;  ///< of the collected output
+  int pid_ = -1;
+};
+
+/// Runs a program, sends it the signal of the setup, and waits for it.
 ProgramResult runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                          const ProgramSetup& setup = {});
 
