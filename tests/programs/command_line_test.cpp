@@ -41,7 +41,7 @@ class CommandLineTest : public test::ProgramsTest {
     std::vector<std::string> words = start(needs);
     words.emplace_back("--help");
     std::istringstream help(run({needs.program, words}).standardOutput);
-    const std::regex option(R"(^  (?:-\w,)?(--[a-z-]+) \S.*)");
+    const std::regex option(R"(^  (?:-\w,)?(--[a-z-]+) [^ (].*)");
     std::vector<std::string> names;
     std::smatch match;
     for (std::string line; std::getline(help, line);)

@@ -84,17 +84,18 @@ TEST_F(TwoRuns, TwoBatchesIntoOneFolderAndCacheBothEndWithTheSameFiles) {
 
 TEST_F(TwoRuns, TheLastOfTwoFramesIntoOneFileWins) {
   if (!hasGl_) GTEST_SKIP() << "no OpenGL 4.5";
-  const auto frame = [](const std::string& out, const std::string& number) {
-    return std::vector<std::string>{"render", "scene.glb", "-o", out, "--size", "64x36", "--frame", number, "-q"};
+  const auto frame = [](const std::string& out, const std::string& eye) {
+    return std::vector<std::string>{"render", "ball.glb", "-o",     out,     "--size", "64x36",
+                                    "--eye",  eye,        "--look", "0,0,0", "-q"};
   };
   std::filesystem::create_directory(at("frames"));
-  ASSERT_EQ(run({JALOUSIE_PROGRAM, frame("frames/a.png", "0")}).exitCode, 0);
-  ASSERT_EQ(run({JALOUSIE_PROGRAM, frame("frames/b.png", "900")}).exitCode, 0);
+  ASSERT_EQ(run({JALOUSIE_PROGRAM, frame("frames/a.png", "0,0,3")}).exitCode, 0);
+  ASSERT_EQ(run({JALOUSIE_PROGRAM, frame("frames/b.png", "0,0,6")}).exitCode, 0);
   const std::string a = test::readText(at("frames/a.png"));
   const std::string b = test::readText(at("frames/b.png"));
   ASSERT_NE(a, b);
-  RunningProgram first(JALOUSIE_PROGRAM, frame("frames/same.png", "0"), {.folder = folder_->path()});
-  EXPECT_EQ(run({JALOUSIE_PROGRAM, frame("frames/same.png", "900")}).exitCode, 0);
+  RunningProgram first(JALOUSIE_PROGRAM, frame("frames/same.png", "0,0,3"), {.folder = folder_->path()});
+  EXPECT_EQ(run({JALOUSIE_PROGRAM, frame("frames/same.png", "0,0,6")}).exitCode, 0);
   EXPECT_EQ(first.wait().exitCode, 0);
   const std::string same = test::readText(at("frames/same.png"));
   EXPECT_TRUE(same == a || same == b);

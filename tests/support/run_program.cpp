@@ -25,6 +25,7 @@ std::string textOf(const std::filesystem::path& file) {
 void redirect(int target, const std::filesystem::path& file) {
   const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (fd < 0 || ::dup2(fd, target) < 0) ::_exit(127);
+  if (fd != target) ::close(fd);
 }
 
 /// Makes jalousie use an OpenGL debug context and exit with code 70 on a message. Other programs ignore it.
@@ -61,8 +62,8 @@ RunningProgram::RunningProgram(const std::filesystem::path& program, const std::
   pid_ = ::fork();
   if (pid_ < 0) throw std::runtime_error("fork failed");
   if (pid_ > 0) return;
-  connectOutput(setup.output, *folder_ / "out");
   redirect(STDERR_FILENO, *folder_ / "err");
+  connectOutput(setup.output, *folder_ / "out");  // last, since a closed stream's number would be taken
   if (!setup.folder.empty() && ::chdir(setup.folder.c_str()) != 0) ::_exit(127);
   if (setup.ignoredSignal != 0) ::signal(setup.ignoredSignal, SIG_IGN);
   // Ours first: the caller may set it otherwise.
