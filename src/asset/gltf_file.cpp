@@ -226,7 +226,7 @@ void fillImages(tinygltf::Model& model, const Resources& resources, detail::Reso
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
     if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
     try {
-      checkImageHeader(std::as_bytes(std::span(image.image)), limits.maxImageSide);
+      imageSize(std::as_bytes(std::span(image.image)), limits.images);
     } catch (const Error& error) {
       throw Error(error.code(), fmt::format("image {}: {}", i, error.what()));
     }

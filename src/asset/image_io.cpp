@@ -70,15 +70,22 @@ std::uint32_t bigEndian(const unsigned char* bytes) {
          std::uint32_t{bytes[3]};
 }
 
-void requireSides(std::uint32_t width, std::uint32_t height, std::uint32_t maxSide,
-                  const std::filesystem::path& source) {
-  if (width > maxSide || height > maxSide)
-    throw Error(ErrorCode::kLimit, fmt::format("image is {} x {}, the limit is {}", width, height, maxSide), source);
+void requireSize(std::uint32_t width, std::uint32_t height, const ImageLimits& limits,
+                 const std::filesystem::path& source) {
+  if (width > limits.maxSide || height > limits.maxSide)
+    throw Error(ErrorCode::kLimit,
+                fmt::format("the picture has {} x {} pixels, the limit is {} a side", width, height, limits.maxSide),
+                source);
+  if (std::uint64_t{width} * height > limits.maxPixels)
+    throw Error(ErrorCode::kLimit,
+                fmt::format("the picture has {} x {} pixels, the limit is {} in all", width, height, limits.maxPixels),
+                source);
 }
 
 }  // namespace
 
-void checkImageHeader(std::span<const std::byte> encoded, std::uint32_t maxSide, const std::filesystem::path& source) {
+ImageSize imageSize(std::span<const std::byte> encoded, const ImageLimits& limits,
+                    const std::filesystem::path& source) {
   if (!startsWith(encoded, kPngSignature) && !startsWith(encoded, kJpegSignature))
     throw Error(ErrorCode::kUnsupported, "image is neither PNG nor JPEG", source);
   if (encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -86,18 +93,20 @@ void checkImageHeader(std::span<const std::byte> encoded, std::uint32_t maxSide,
   const auto* bytes = reinterpret_cast<const stbi_uc*>(encoded.data());
   // stb cannot say why it refuses the largest ones.
   if (startsWith(encoded, kPngSignature) && encoded.size() >= 24 && std::memcmp(bytes + 12, "IHDR", 4) == 0)
-    requireSides(bigEndian(bytes + 16), bigEndian(bytes + 20), maxSide, source);
+    requireSize(bigEndian(bytes + 16), bigEndian(bytes + 20), limits, source);
   int width = 0;
   int height = 0;
   int channels = 0;
   if (stbi_info_from_memory(bytes, static_cast<int>(encoded.size()), &width, &height, &channels) == 0 || width <= 0 ||
       height <= 0)
     throw Error(ErrorCode::kMalformed, "image header cannot be read", source);
-  requireSides(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), maxSide, source);
+  requireSize(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), limits, source);
+  return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
-ImageRgba8 decodeImage(std::span<const std::byte> encoded, std::uint32_t maxSide, const std::filesystem::path& source) {
-  checkImageHeader(encoded, maxSide, source);
+ImageRgba8 decodeImage(std::span<const std::byte> encoded, const ImageLimits& limits,
+                       const std::filesystem::path& source) {
+  imageSize(encoded, limits, source);
   const auto* bytes = reinterpret_cast<const stbi_uc*>(encoded.data());
   int width = 0;
   int height = 0;
@@ -131,8 +140,8 @@ void savePng(const ImageRgba8& image, const std::filesystem::path& path) {
   writeFileAtomic(path, encodePng(image));
 }
 
-ImageRgba8 loadImage(const std::filesystem::path& path, std::uint32_t maxSide) {
-  return decodeImage(readFile(path, kMaxImageFileBytes), maxSide, path);
+ImageRgba8 loadImage(const std::filesystem::path& path, const ImageLimits& limits) {
+  return decodeImage(readFile(path, kMaxImageFileBytes), limits, path);
 }
 
 ImageRgba8 resizeImage(const ImageRgba8& image, std::uint32_t width, std::uint32_t height) {

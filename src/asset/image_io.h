@@ -7,17 +7,25 @@
 #include <span>
 #include <vector>
 
+#include "asset/read_limits.h"
 #include "core/image.h"
 
 namespace jalousie::asset {
 
-/// Reads the header of a PNG or JPEG. Errors: as decodeImage, which checks no more before it decodes.
-void checkImageHeader(std::span<const std::byte> encoded, std::uint32_t maxSide,
-                      const std::filesystem::path& source = {});
+/// Width and height in pixels, both > 0.
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
 
-/// Decodes a PNG or JPEG to RGBA8; nothing else is accepted. @param source  names the image in errors.
-/// Errors: kMalformed, kUnsupported (another format), kLimit (a side above maxSide; checked before decoding).
-ImageRgba8 decodeImage(std::span<const std::byte> encoded, std::uint32_t maxSide,
+/// Reads the header of an encoded picture; decodes nothing. @param source  names the picture in errors
+/// Errors: kMalformed, kUnsupported (another format), kLimit.
+ImageSize imageSize(std::span<const std::byte> encoded, const ImageLimits& limits = {},
+                    const std::filesystem::path& source = {});
+
+/// Decodes a picture to RGBA8. @param source  names the picture in errors
+/// Errors: kMalformed, kUnsupported (another format), kLimit (checked before decoding).
+ImageRgba8 decodeImage(std::span<const std::byte> encoded, const ImageLimits& limits = {},
                        const std::filesystem::path& source = {});
 
 /// Encodes as PNG (RGB if every alpha is 255, else RGBA). Deterministic.
@@ -25,7 +33,7 @@ std::vector<std::byte> encodePng(const ImageRgba8& image);
 /// encodePng and core's writeFileAtomic. Errors: kWriteFailed.
 void savePng(const ImageRgba8& image, const std::filesystem::path& path);
 /// readFile and decodeImage.
-ImageRgba8 loadImage(const std::filesystem::path& path, std::uint32_t maxSide = 16384);
+ImageRgba8 loadImage(const std::filesystem::path& path, const ImageLimits& limits = {});
 
 /// Resamples to width x height (colour channels in sRGB, alpha linear, edges wrap), both > 0.
 ImageRgba8 resizeImage(const ImageRgba8& image, std::uint32_t width, std::uint32_t height);

@@ -104,7 +104,7 @@ class SceneReader {
     const tinygltf::Image& image = model_.images[static_cast<std::size_t>(source)];
     const std::string label = image.uri.empty() ? fmt::format("image {}", source) : image.uri;
     const auto bytes = std::as_bytes(std::span(image.image));
-    ImageRgba8 decoded = decodeImage(bytes, limits_.maxImageSide, file_ / label);
+    ImageRgba8 decoded = decodeImage(bytes, limits_.images, file_ / label);
     takePixels(decoded);
     const auto index = static_cast<std::uint32_t>(scene_.images.size());
     scene_.images.push_back(std::move(decoded));

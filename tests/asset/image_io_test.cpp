@@ -29,7 +29,7 @@ std::span<const std::byte> asBytes(std::string_view text) {
 TEST(ImageIo, PngRoundTripIsExact) {
   for (const bool withAlpha : {false, true}) {
     const ImageRgba8 image = gradient(37, 21, withAlpha);
-    const ImageRgba8 read = decodeImage(encodePng(image), 64);
+    const ImageRgba8 read = decodeImage(encodePng(image), {64});
     EXPECT_EQ(read.width, 37U);
     EXPECT_EQ(read.height, 21U);
     EXPECT_EQ(read.pixels, image.pixels);
@@ -55,20 +55,20 @@ TEST(ImageIo, SavedFileLoads) {
 
 TEST(ImageIo, OtherFormatsNeverReachTheDecoder) {
   for (const std::string_view text : {"GIF89a\1\0\1\0\0\0\0;", "BM....", "#?RADIANCE\n", "P6 1 1 255 abc", "8BPS", ""})
-    EXPECT_EQ(codeOf([&] { decodeImage(asBytes(text), 64); }), ErrorCode::kUnsupported) << text;
+    EXPECT_EQ(codeOf([&] { decodeImage(asBytes(text), {64}); }), ErrorCode::kUnsupported) << text;
 }
 
 TEST(ImageIo, TruncatedPngIsMalformed) {
   const std::vector<std::byte> png = encodePng(gradient(64, 64, true));
   for (const std::size_t size : {std::size_t{8}, std::size_t{20}, std::size_t{40}, png.size() / 2})
-    EXPECT_EQ(codeOf([&] { decodeImage(std::span(png).first(size), 64); }), ErrorCode::kMalformed) << size;
+    EXPECT_EQ(codeOf([&] { decodeImage(std::span(png).first(size), {64}); }), ErrorCode::kMalformed) << size;
 }
 
 TEST(ImageIo, SideAboveTheLimitIsRefusedBeforeDecoding) {
   std::vector<std::byte> png = encodePng(gradient(64, 8, true));
-  EXPECT_EQ(codeOf([&] { decodeImage(png, 63); }), ErrorCode::kLimit);
+  EXPECT_EQ(codeOf([&] { decodeImage(png, {63}); }), ErrorCode::kLimit);
   png.resize(60);  // the header alone decides
-  EXPECT_EQ(codeOf([&] { decodeImage(png, 63); }), ErrorCode::kLimit);
+  EXPECT_EQ(codeOf([&] { decodeImage(png, {63}); }), ErrorCode::kLimit);
 }
 
 TEST(ImageIo, ResizeKeepsAConstantColour) {

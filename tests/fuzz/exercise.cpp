@@ -36,7 +36,7 @@ asset::Limits smallLimits() {
   limits.maxAccessorElements = 1U << 16U;
   limits.maxEmptyElements = 1U << 12U;
   limits.maxInstances = 1U << 12U;
-  limits.maxImageSide = 128;
+  limits.images.maxSide = 128;
   return limits;
 }
 

@@ -11,7 +11,7 @@ namespace jalousie::app {
 
 void setWindowIcon(GLFWwindow* window) {
   constexpr std::uint32_t kMostPixels = 256;
-  ImageRgba8 image = asset::decodeImage(embeddedIcon(), kMostPixels);
+  ImageRgba8 image = asset::decodeImage(embeddedIcon(), {.maxSide = kMostPixels});
   const GLFWimage icon{static_cast<int>(image.width), static_cast<int>(image.height), image.pixels.data()};
   glfwSetWindowIcon(window, 1, &icon);
 }
