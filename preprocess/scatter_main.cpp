@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "asset/gltf_images.h"
 #include "cli/program.h"
 #include "core/error.h"
 #include "core/output_files.h"
@@ -23,7 +24,9 @@ void scatterFile(const scatter::Options& options) {
   scatter::ScatteredScene scene;
   {
     Progress progress("scattering", options.layout.count, options.quiet);
-    scene = scatter::scatterObjects(asset::loadGltf(options.input), options, progress);
+    tinygltf::Model object = asset::loadGltf(options.input);
+    asset::checkImages(object, options.input);
+    scene = scatter::scatterObjects(std::move(object), options, progress);
     asset::saveGlb(scene.model, options.output);
   }
   if (!options.report.empty()) writeText(options.report, scatter::reportJson(options, scene.summary));

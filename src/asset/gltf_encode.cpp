@@ -16,7 +16,7 @@
 #include "asset/accessor_layout.h"
 #include "asset/gltf_file.h"
 #include "asset/gltf_meshopt.h"
-#include "asset/gltf_resources.h"
+#include "asset/image_io.h"
 #include "core/check.h"
 #include "core/error.h"
 
@@ -139,9 +139,9 @@ void embedImages(Model& model) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     tinygltf::Image& image = model.images[i];
     image.uri.clear();
-    if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
+    if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
     if (image.image.empty() || image.mimeType.empty())
-      throw Error(ErrorCode::kUnsupported, fmt::format("image {} holds no PNG or JPEG", i));
+      throw Error(ErrorCode::kUnsupported, fmt::format("image {} holds no PNG, JPEG or WebP", i));
     if (model.buffers.empty()) model.buffers.emplace_back();
     appendAligned(model.buffers[0].data, std::as_bytes(std::span(image.image)));
     tinygltf::BufferView view;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "asset/accessor_layout.h"
+#include "asset/gltf_images.h"
 #include "asset/gltf_json.h"
 #include "asset/gltf_meshopt.h"
 #include "asset/gltf_resources.h"
@@ -224,12 +225,8 @@ void fillImages(tinygltf::Model& model, const Resources& resources, detail::Reso
     tinygltf::Image& image = model.images[i];
     image.bufferView = resources.images[i].bufferView;
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
-    if (image.mimeType.empty()) image.mimeType = detail::sniffMimeType(image.image);
-    try {
-      imageSize(std::as_bytes(std::span(image.image)), limits.images);
-    } catch (const Error& error) {
-      throw Error(error.code(), fmt::format("image {}: {}", i, error.what()));
-    }
+    if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
+    detail::useImage(model, i, [&](std::span<const std::byte> bytes) { imageSize(bytes, limits.images); });
   }
 }
 

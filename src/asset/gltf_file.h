@@ -14,8 +14,9 @@
 
 namespace jalousie::asset {
 
-/// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG or JPEG bytes of
-/// the file, URI or buffer view, and `image.as_is` is true; formats and sides are checked. External files are opened
+/// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG, JPEG or WebP
+/// bytes of the file, URI or buffer view, and `image.as_is` is true; formats and sizes are checked (checkImages does
+/// the rest). External files are opened
 /// only inside the document's folder. The document is validated: every index that one object holds of another is in
 /// range, every buffer view lies in its buffer, every accessor in its view, vertex indices are below the vertex count,
 /// the node hierarchy is a forest. Views with EXT_meshopt_compression are decoded, and the extension is gone. Errors:

@@ -22,6 +22,7 @@ constexpr std::uint64_t kMaxSize = 1ULL << 53U;  // integers a JSON number carri
 
 constexpr std::array kKnownExtensions = {
     "MSFT_lod", "EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_texture_transform", "EXT_meshopt_compression",
+    "EXT_texture_webp",
     // of materials, which are kept as they are
     "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_iridescence",
@@ -96,7 +97,7 @@ void checkNumbers(const json& value, const Path& file) {
   for (const auto& [key, member] : value.items()) {
     if (key == "extras") continue;
     if (key == "extensions" && member.is_object()) {
-      for (const char* known : {"MSFT_lod", "EXT_mesh_gpu_instancing"}) {
+      for (const char* known : {"MSFT_lod", "EXT_mesh_gpu_instancing", "EXT_texture_webp"}) {
         const auto extension = member.find(known);
         if (extension == member.end()) continue;
         if (!extension->is_object()) throw Error(ErrorCode::kMalformed, fmt::format("{} is no object", known), file);

@@ -140,12 +140,4 @@ std::vector<std::byte> ResourceLoader::readNamed(const std::string& uri) {
   return bytes;
 }
 
-std::string sniffMimeType(std::span<const unsigned char> bytes) {
-  constexpr std::array<unsigned char, 4> kPng = {0x89, 'P', 'N', 'G'};
-  constexpr std::array<unsigned char, 3> kJpeg = {0xFF, 0xD8, 0xFF};
-  if (bytes.size() >= kPng.size() && std::equal(kPng.begin(), kPng.end(), bytes.begin())) return "image/png";
-  if (bytes.size() >= kJpeg.size() && std::equal(kJpeg.begin(), kJpeg.end(), bytes.begin())) return "image/jpeg";
-  return {};
-}
-
 }  // namespace jalousie::asset::detail

@@ -41,7 +41,4 @@ class ResourceLoader {
   std::set<std::string> seen_;    ///< names of files
 };
 
-/// "image/png", "image/jpeg", or empty for anything else, by the first bytes.
-std::string sniffMimeType(std::span<const unsigned char> bytes);
-
 }  // namespace jalousie::asset::detail

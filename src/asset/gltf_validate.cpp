@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asset/accessor_layout.h"
+#include "asset/gltf_images.h"
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
 #include "core/error.h"
@@ -57,6 +58,7 @@ void validateMaterials(const Model& model) {
   for (std::size_t i = 0; i < model.textures.size(); ++i) {
     requireOptional(model.textures[i].sampler, model.samplers.size(), "texture", i, "sampler");
     requireOptional(model.textures[i].source, model.images.size(), "texture", i, "image");
+    requireOptional(imageOfTexture(model.textures[i]), model.images.size(), "texture", i, "image");
   }
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const tinygltf::Material& material = model.materials[i];

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asset/gltf_file.h"
+#include "asset/gltf_images.h"
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
@@ -54,8 +55,8 @@ struct Visit {
 
 class SceneReader {
  public:
-  SceneReader(const Model& model, const Limits& limits, const std::filesystem::path& file)
-      : model_(model), limits_(limits), file_(file), budget_{demandLimit(model, limits)} {}
+  SceneReader(const Model& model, const Limits& limits)
+      : model_(model), limits_(limits), budget_{demandLimit(model, limits)} {}
 
   SceneFile read() {
     readMaterials();
@@ -96,15 +97,14 @@ class SceneReader {
   /// Decodes an image at its first use.
   std::optional<std::uint32_t> baseColorImage(const tinygltf::TextureInfo& texture) {
     if (texture.index < 0 || texture.texCoord != 0) return std::nullopt;
-    const int source = model_.textures[static_cast<std::size_t>(texture.index)].source;
+    const int source = detail::imageOfTexture(model_.textures[static_cast<std::size_t>(texture.index)]);
     if (source < 0) return std::nullopt;
     const auto known = imageIndex_.find(source);
     if (known != imageIndex_.end()) return known->second;
 
-    const tinygltf::Image& image = model_.images[static_cast<std::size_t>(source)];
-    const std::string label = image.uri.empty() ? fmt::format("image {}", source) : image.uri;
-    const auto bytes = std::as_bytes(std::span(image.image));
-    ImageRgba8 decoded = decodeImage(bytes, limits_.images, file_ / label);
+    ImageRgba8 decoded =
+        detail::useImage(model_, static_cast<std::size_t>(source),
+                         [&](std::span<const std::byte> bytes) { return decodeImage(bytes, limits_.images); });
     takePixels(decoded);
     const auto index = static_cast<std::uint32_t>(scene_.images.size());
     scene_.images.push_back(std::move(decoded));
@@ -203,7 +203,6 @@ class SceneReader {
 
   const Model& model_;
   const Limits& limits_;
-  const std::filesystem::path& file_;
   detail::ElementBudget budget_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
@@ -220,7 +219,7 @@ SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits,
 
 SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {
   try {
-    return SceneReader(model, limits, path).read();
+    return SceneReader(model, limits).read();
   } catch (const Error& error) {
     if (!error.file().empty()) throw;
     throw Error(error.code(), error.what(), path);

@@ -1,4 +1,4 @@
-// Encodes with libwebp, scales with stb_image_resize.
+// Encodes with libwebp.
 #include "compare/page_pictures.h"
 
 #include <webp/encode.h>
@@ -8,23 +8,8 @@
 #include <cmath>
 #include <memory>
 
+#include "asset/image_io.h"
 #include "core/error.h"
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wpedantic"
-#pragma GCC diagnostic ignored "-Wshadow"
-#endif
-#define STB_IMAGE_RESIZE_IMPLEMENTATION
-#define STB_IMAGE_RESIZE_STATIC
-#include <stb_image_resize.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
 namespace jalousie::compare {
 namespace {
@@ -43,13 +28,7 @@ ImageRgba8 scaled(const ImageRgba8& image, double scale) {
   const auto side = [&](std::uint32_t length) {
     return static_cast<std::uint32_t>(std::max(std::lround(scale * length), 1L));
   };
-  ImageRgba8 result{side(image.width), side(image.height), {}};
-  result.pixels.resize(std::size_t{4} * result.width * result.height);
-  const int done = stbir_resize_uint8_srgb(image.pixels.data(), static_cast<int>(image.width),
-                                           static_cast<int>(image.height), 0, result.pixels.data(),
-                                           static_cast<int>(result.width), static_cast<int>(result.height), 0, 4, 3, 0);
-  if (done == 0) throw Error(ErrorCode::kLimit, "a picture of the report cannot be scaled");
-  return result;
+  return asset::resizeImage(image, side(image.width), side(image.height), asset::ImageEdge::kClamp);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/accessor.h"
+#include "asset/gltf_images.h"
 #include "bake/io/obj_reader.h"
 #include "bake/io/ply_reader.h"
 #include "bake/mesh/normals.h"
@@ -91,6 +92,14 @@ void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const 
   appendNode(model, std::move(mesh));
 }
 
+/// The baker passes pictures on, so they must be whole.
+tinygltf::Model parseWholeGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                               const asset::Limits& limits, const asset::ReadObserver& observer) {
+  tinygltf::Model model = asset::parseGltf(bytes, file, limits, observer);
+  asset::checkImages(model, file, limits);
+  return model;
+}
+
 }  // namespace
 
 bool isGltf(const std::filesystem::path& file) {
@@ -105,7 +114,7 @@ bool isImportable(const std::filesystem::path& file) {
 
 tinygltf::Model importBytes(std::span<const std::byte> bytes, const std::filesystem::path& file,
                             const asset::Limits& limits, const asset::ReadObserver& observer) {
-  if (isGltf(file)) return asset::parseGltf(bytes, file, limits, observer);
+  if (isGltf(file)) return parseWholeGltf(bytes, file, limits, observer);
   tinygltf::Model model = emptyDocument();
   appendFile(model, bytes, file, observer);
   return model;
@@ -126,7 +135,7 @@ tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, con
     };
     const std::vector<std::byte> bytes = readFile(file, limits.maxFileBytes);
     observeInput({}, bytes);
-    if (isGltf(file)) return asset::parseGltf(bytes, file, limits, observeInput);
+    if (isGltf(file)) return parseWholeGltf(bytes, file, limits, observeInput);
     appendFile(model, bytes, file, observeInput);
   }
   return model;
