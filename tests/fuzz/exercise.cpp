@@ -12,6 +12,7 @@
 
 #include "asset/gltf_file.h"
 #include "asset/gltf_quantize.h"
+#include "asset/image_io.h"
 #include "asset/scene_file.h"
 #include "bake/io/bake_document.h"
 #include "bake/io/import.h"
@@ -194,6 +195,25 @@ void exerciseGltf(Bytes bytes) {
 
 void exerciseAssembledGlb(Bytes bytes) {
   exerciseGltf(bytesOf(assembledGlb(bytes)));
+}
+
+void exerciseImage(Bytes bytes) {
+  const asset::ImageLimits limits{.maxSide = 512, .maxPixels = 1U << 14U};
+  bool isWhole = true;
+  try {
+    asset::checkImage(bytes, limits);
+  } catch (const Error&) {
+    isWhole = false;
+  }
+  try {
+    const ImageRgba8 image = asset::decodeImage(bytes, limits);
+    const asset::ImageSize size = asset::imageSize(bytes, limits);
+    JAL_CHECK(isWhole);
+    JAL_CHECK((size.width == image.width && size.height == image.height));
+    JAL_CHECK((image.pixels == asset::decodeImage(asset::encodePng(image), limits).pixels));
+  } catch (const Error&) {
+    JAL_CHECK(!isWhole);
+  }
 }
 
 void exercisePly(Bytes bytes) {

@@ -12,6 +12,8 @@ namespace jalousie::test {
 void exerciseGltf(std::span<const std::byte> bytes);
 /// A GLB file put together from JSON and binary, split at the first zero byte, so that lengths are right.
 void exerciseAssembledGlb(std::span<const std::byte> bytes);
+/// A picture through its three doors, which must agree; what was decoded must survive encoding.
+void exerciseImage(std::span<const std::byte> bytes);
 void exercisePly(std::span<const std::byte> bytes);
 /// An OBJ file; what follows a line "%%" is the material file, whatever its name.
 void exerciseObj(std::span<const std::byte> bytes);

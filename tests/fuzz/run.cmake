@@ -1,6 +1,8 @@
-# cmake -DPROGRAM=FUZZER -DTARGET=NAME -DNODE=NODE -DSECONDS=N -DSOURCE=DIR -DWORK=DIR -P run.cmake
+# cmake -DPROGRAM=FUZZER -DTARGET=NAME -DNODE=NODE -DPICTURES=picture_seeds -DSECONDS=N -DSOURCE=DIR -DWORK=DIR -P run.cmake
 # Runs a fuzz target from its seeds for some seconds. What it finds stays in WORK/found.
-if(NODE)
+if(TARGET STREQUAL "image")
+  execute_process(COMMAND ${PICTURES} ${WORK}/seeds-image/image COMMAND_ERROR_IS_FATAL ANY)
+elseif(NODE)
   execute_process(COMMAND ${NODE} ${SOURCE}/../hostile/make_corpus.mjs ${WORK}/corpus-${TARGET} COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${NODE} ${SOURCE}/make_seeds.mjs ${WORK}/corpus-${TARGET} ${WORK}/seeds-${TARGET} COMMAND_ERROR_IS_FATAL ANY)
 endif()

@@ -15,6 +15,9 @@
 namespace jalousie::asset::detail {
 namespace {
 
+/// Bytes of image data behind the last row that are unpacked and dropped, each up to 1032 bytes; encoders write a few.
+constexpr std::size_t kMaxSurplusBytes = 64U << 10U;
+
 /// libpng reports an error by a function that must not return. This struct is plain, and so is every function between
 /// setjmp and longjmp.
 struct Decoder {
@@ -26,6 +29,7 @@ struct Decoder {
   char reason[160];
   std::uint8_t* row;
   int passes;
+  std::size_t imageDataLeft;  ///< bytes of IDAT chunks that may still be read
 };
 
 [[noreturn]] void onError(png_structp png, png_const_charp reason) {
@@ -50,6 +54,11 @@ void onWarning(png_structp png, png_const_charp warning) {
 void takeBytes(png_structp png, png_bytep out, std::size_t count) {
   auto& decoder = *static_cast<Decoder*>(png_get_io_ptr(png));
   if (count > decoder.left) onError(png, "the file is cut off");
+  constexpr png_uint_32 kIdat = 0x49444154;
+  if (png_get_io_chunk_type(png) == kIdat) {
+    if (count > decoder.imageDataLeft) onError(png, "IDAT: far too much image data");
+    decoder.imageDataLeft -= count;
+  }
   std::memcpy(out, decoder.next, count);
   decoder.next += count;
   decoder.left -= count;
@@ -101,6 +110,7 @@ class Reader {
   explicit Reader(std::span<const std::byte> encoded) {
     decoder_.next = encoded.data();
     decoder_.left = encoded.size();
+    decoder_.imageDataLeft = encoded.size();
   }
   ~Reader() { png_destroy_read_struct(&decoder_.png, &decoder_.info, nullptr); }
   Reader(const Reader&) = delete;
@@ -114,6 +124,8 @@ class Reader {
     decoder_.row = row;
     run(readRow);
   }
+  /// Called before the last rows, in which libpng reads what is left of the image data. @param width  in pixels
+  void expectEnd(std::uint32_t width) { decoder_.imageDataLeft = std::size_t{16} * width + kMaxSurplusBytes; }
   const Decoder& decoder() const { return decoder_; }
 
  private:
@@ -143,8 +155,12 @@ ImageSize readPng(std::span<const std::byte> encoded, const ImageLimits& limits,
   JAL_CHECK(png_get_rowbytes(decoder.png, decoder.info) == std::size_t{4} * size.width);
   sink->begin(size);
   for (int pass = 0; pass < decoder.passes; ++pass)
-    for (std::uint32_t y = 0; y < size.height; ++y)
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+      // Of an interlaced picture, the last row may not be part of the last pass.
+      const bool isLastPass = pass + 1 == decoder.passes || size.height == 1;
+      if (isLastPass && y + 2 >= size.height) reader.expectEnd(size.width);
       reader.readRowTo(sink->row(y));
+    }
   reader.run(finish);
   return size;
 }
