@@ -28,7 +28,7 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
 }  // namespace
 
 void addDiffOptions(CLI::App& command, DiffOptions& o) {
-  command.add_option("reference", o.reference, "Reference picture, PNG or JPEG")->required()->type_name("A.png");
+  command.add_option("reference", o.reference, "Reference picture, PNG, JPEG or WebP")->required()->type_name("A.png");
   command.add_option("test", o.test, "Picture to compare with it, of the same size")->required()->type_name("B.png");
   command
       .add_option("-o,--output", o.output,
