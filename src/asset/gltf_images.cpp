@@ -14,7 +14,6 @@ namespace {
 constexpr const char* kWebp = "EXT_texture_webp";
 
 /// A WebP of a few bytes can have any number of pixels of one colour, and decoding takes time for each pixel.
-constexpr std::uint64_t kFreePixels = 1ULL << 28U;
 constexpr std::uint64_t kMaxPixelsPerByte = 1024;
 
 class ImageCheck {
@@ -32,10 +31,10 @@ class ImageCheck {
     const ImageSize size = imageSize(bytes, limits_.images);
     bytes_ += bytes.size();
     pixels_ += std::uint64_t{size.width} * size.height;
-    if (pixels_ > kFreePixels + kMaxPixelsPerByte * bytes_)
+    if (pixels_ > limits_.maxFreePixels + kMaxPixelsPerByte * bytes_)
       throw Error(ErrorCode::kLimit, fmt::format("with it the pictures have {} pixels out of {} bytes; the limit is {} "
                                                  "and {} for each byte",
-                                                 pixels_, bytes_, kFreePixels, kMaxPixelsPerByte));
+                                                 pixels_, bytes_, limits_.maxFreePixels, kMaxPixelsPerByte));
     checkImage(bytes, limits_.images);
   }
 

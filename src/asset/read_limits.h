@@ -24,6 +24,7 @@ struct Limits {
   std::uint64_t maxAccessorElements = 1ULL << 28U;  ///< elements of one accessor
   std::uint64_t maxEmptyElements = 1ULL << 22U;     ///< elements of all accessors without data, which cost no byte
   std::uint64_t maxInstances = 1ULL << 24U;         ///< objects after flattening the node hierarchy
+  std::uint64_t maxFreePixels = 1ULL << 28U;        ///< of all pictures passed on, beyond 1024 for each of their bytes
   ImageLimits images;                               ///< each picture
 };
 
