@@ -75,6 +75,36 @@ TEST(PlyReader, BothByteOrdersGiveTheSameMesh) {
   EXPECT_EQ(little.colors[0], glm::vec4(1.0F));
 }
 
+/// A triangle whose first vertex has this red, of this type.
+std::string redPly(const std::string& type, const std::string& red) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty " +
+         type + " red\nproperty " + type + " green\nproperty " + type +
+         " blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " + red +
+         " 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n";
+}
+
+TEST(PlyReader, ColoursAreSharesOfTheirTypesFullColour) {
+  for (const auto& [type, full] : {std::pair("float", "1"), {"double", "1.0005"}, {"uchar", "255"}, {"int", "255"},
+                                   {"uint", "255"}, {"ushort", "65535"}})
+    EXPECT_EQ(read(redPly(type, full)).colors.at(0), glm::vec4(1, 0, 0, 1)) << type;
+  EXPECT_NEAR(read(redPly("float", "0.5")).colors.at(0).r, 0.214F, 1e-3F);
+  EXPECT_EQ(read(redPly("float", "-1e-6")).colors.at(0).r, 0.0F);
+}
+
+TEST(PlyReader, ColoursOutOfRangeAreRefusedWithTheValue) {
+  for (const auto& [type, red] : {std::pair("float", "5"), {"float", "-3"}, {"double", "1e30"}, {"char", "-1"},
+                                  {"int", "256"}, {"ushort", "-9"}}) {
+    try {
+      read(redPly(type, red));
+      ADD_FAILURE() << type << " " << red;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kMalformed);
+      EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("outside [0, "), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(PlyReader, WindowsLineEndsAndAMissingLastOneAreAccepted) {
   std::string text;
   for (const char c : kQuad) {

@@ -291,9 +291,19 @@ int slotOf(std::string_view name) {
   return -1;
 }
 
+/// The value of full colour: floats reach 1, integers of 16 bits 65535, and all others 255, whatever their width.
 double colorScale(Type type) {
-  if (type == Type::kUint8) return 255.0;
-  return type == Type::kUint16 ? 65535.0 : 1.0;
+  if (type == Type::kFloat || type == Type::kDouble) return 1.0;
+  return type == Type::kUint16 || type == Type::kInt16 ? 65535.0 : 255.0;
+}
+
+/// A colour component as a share of full colour. Errors: kMalformed unless it lies in [0, 1] but for rounding.
+double colorShare(const Input& input, double value, Type type) {
+  constexpr double kRounding = 1e-3;
+  const double share = value / colorScale(type);
+  if (!(share >= -kRounding && share <= 1.0 + kRounding))
+    input.fail(fmt::format("the colour {:g} of a PLY vertex is outside [0, {:g}]", value, colorScale(type)));
+  return std::clamp(share, 0.0, 1.0);
 }
 
 void readVertices(Input& input, const Element& element, Encoding encoding, TriangleMesh& mesh) {
@@ -319,7 +329,7 @@ void readVertices(Input& input, const Element& element, Encoding encoding, Trian
       }
       const double value = input.value(property.type, encoding);
       if (!std::isfinite(static_cast<float>(value))) input.fail("a PLY vertex holds NaN or an infinite number");
-      values[static_cast<std::size_t>(slot)] = slot >= 8 ? value / colorScale(property.type) : value;
+      values[static_cast<std::size_t>(slot)] = slot >= 8 ? colorShare(input, value, property.type) : value;
     }
     const auto at = [&](std::size_t i) { return static_cast<float>(values[i]); };
     mesh.positions.emplace_back(at(0), at(1), at(2));
