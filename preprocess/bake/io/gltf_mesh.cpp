@@ -1,16 +1,20 @@
 // Converts between glTF accessors and CombinedMesh, with checked reads.
 #include "bake/io/gltf_mesh.h"
 
+#include <fmt/format.h>
 #include <meshoptimizer.h>
 
 #include <cmath>
 #include <numeric>
 
 #include "asset/accessor.h"
+#include "core/check.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
 namespace {
+
+constexpr std::size_t kMostAttributes = 16;  ///< streams that meshopt_generateVertexRemapMulti takes
 
 template <class T>
 std::vector<float> flattened(const std::vector<T>& values) {
@@ -56,7 +60,9 @@ void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& pri
 }
 
 /// Shares bit-identical vertices: rewrites indices and compacts the attributes.
+/// @pre indices in threes, below vertexCount, at least three; at most kMostAttributes attributes, of at most 4 floats
 void shareVertices(PrimitiveData& data, std::vector<std::uint32_t>& indices) {
+  JAL_CHECK((data.attributes.size() <= kMostAttributes && indices.size() % 3 == 0 && !indices.empty()));
   std::vector<meshopt_Stream> streams;
   for (const Attribute& attribute : data.attributes) {
     const std::size_t bytes = attribute.components * sizeof(float);
@@ -94,7 +100,9 @@ int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const st
 }
 
 /// Reorders for the vertex cache, then numbers vertices by first use. @return  local vertices in their new order
+/// @pre indices in threes, below vertexCount
 std::vector<std::uint32_t> optimiseOrder(std::vector<std::uint32_t>& indices, std::uint32_t vertexCount) {
+  JAL_CHECK(indices.size() % 3 == 0U);
   meshopt_optimizeVertexCache(indices.data(), indices.data(), indices.size(), vertexCount);
   std::vector<std::uint32_t> newIndex(vertexCount, ~0U);
   std::vector<std::uint32_t> order;
@@ -116,6 +124,8 @@ std::string unbakeableReason(const tinygltf::Mesh& mesh) {
     if (!primitive.targets.empty()) return "it has morph targets";
     if (!primitive.attributes.contains("POSITION")) return "it has a primitive without positions";
     if (primitive.attributes.contains("JOINTS_0")) return "it is skinned";
+    if (primitive.attributes.size() > kMostAttributes)
+      return fmt::format("it has a primitive with {} attributes", primitive.attributes.size());
   }
   return mesh.primitives.empty() ? "it has no primitives" : "";
 }

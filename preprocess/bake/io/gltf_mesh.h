@@ -11,8 +11,8 @@
 
 namespace jalousie::bake {
 
-/// The reason why a mesh is passed through unchanged: a mode other than triangles, morph targets, no positions, or
-/// joints. Empty if the mesh can be baked.
+/// The reason why a mesh is passed through unchanged: a mode other than triangles, morph targets, no positions,
+/// joints, or more than 16 attributes. Empty if the mesh can be baked.
 std::string unbakeableReason(const tinygltf::Mesh& mesh);
 
 /// Reads all primitives of a mesh. Bit-identical vertices are shared; positions may be NaN or infinite (see cleanMesh).

@@ -33,6 +33,7 @@ class Quiet {
   Quiet& operator=(const Quiet&) = delete;
 };
 
+/// Faces in OpenMesh, which takes three different vertices each: cleaned triangles have no other.
 TopologyMesh makeTopology(const CombinedMesh& mesh) {
   const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
   std::vector<TopologyMesh::VertexHandle> handles(mesh.positions.size());

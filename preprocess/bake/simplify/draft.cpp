@@ -8,12 +8,26 @@
 #include <set>
 
 #include "bake/mesh/normals.h"
+#include "core/check.h"
 
 namespace jalousie::bake {
 namespace {
 
 /// Any deformation is allowed: the target ends the collapse, and the error is measured afterwards.
 constexpr float kAnyError = 1e6F;
+
+/// meshopt_simplify, which aborts if more indices are asked for than there are.
+/// @param indices  in threes, below the number of positions   @param target  triangles   @return  indices in threes
+std::vector<std::uint32_t> simplify(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& indices,
+                                    std::size_t target, bool lockBorder) {
+  JAL_CHECK(indices.size() % 3 == 0U);
+  if (3 * target >= indices.size()) return indices;
+  std::vector<std::uint32_t> result(indices.size());
+  result.resize(meshopt_simplify(result.data(), indices.data(), indices.size(), &positions[0].x, positions.size(),
+                                 sizeof(glm::vec3), 3 * target, kAnyError,
+                                 lockBorder ? meshopt_SimplifyLockBorder : 0));
+  return result;
+}
 
 /// Collapses an indexed mesh. Only vertices in use are passed: the library would treat unused vertices at equal
 /// positions as attribute seams.
@@ -33,10 +47,7 @@ std::vector<std::uint32_t> collapse(const WedgeMesh& mesh, const std::vector<std
     }
     compact.push_back(compactOf[index]);
   }
-  std::vector<std::uint32_t> result(indices.size());
-  result.resize(meshopt_simplify(result.data(), compact.data(), compact.size(), &positions[0].x, positions.size(),
-                                 sizeof(glm::vec3), std::size_t{3} * target, kAnyError,
-                                 lockBorder ? meshopt_SimplifyLockBorder : 0));
+  std::vector<std::uint32_t> result = simplify(positions, compact, target, lockBorder);
   for (std::uint32_t& index : result)
     index = original[index];
   return result;
