@@ -31,7 +31,7 @@ class LevelMaker {
     collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
   }
 
-  /// Makes a level of at most `target` triangles if the collapse allows it. @param vertexMap  from the finest mesh
+  /// Collapses to a level of at most `target` triangles if the collapse allows it. @param vertexMap  from the finest mesh
   WedgeMesh make(std::uint32_t target, bool exactly, std::vector<std::uint32_t>& vertexMap) {
     if (!collapser_) {
       corners_ = exactly ? draftExactly(target) : draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
@@ -42,8 +42,12 @@ class LevelMaker {
     collapser_->collapseTo(target);
     WedgeMesh level = collapser_->mesh();
     vertexMap = collapser_->vertexMap();
-    if (level.triangles() >= kMinLevelTriangles) refitLevel(finest_, vertexMap, refitOptions(), level);
     return level;
+  }
+
+  /// Fits a level to the finest mesh, unless it is a draft. @pre the level has at least kMinLevelTriangles
+  void refit(const std::vector<std::uint32_t>& vertexMap, WedgeMesh& level) const {
+    if (collapser_) refitLevel(finest_, vertexMap, refitOptions(), level);
   }
 
  private:
@@ -139,6 +143,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
       return stop(fmt::format("simplification fell below {} triangles", kMinLevelTriangles));
     if (triangles > last.mesh.triangles() * 0.95 && triangles > target)
       return stop(fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles));
+    maker->refit(vertexMap, next.mesh);
     next.deviation = meter->measure(next.mesh, vertexMap);
     next.errorMax = std::max(next.deviation.twoSided.max, last.errorMax);
     if (next.errorMax > options.untilError * 0.01 * diagonal)
