@@ -22,6 +22,8 @@ std::vector<glm::vec3> readVec3(const tinygltf::Model& model, int accessor, std:
 std::vector<glm::vec4> readVec4(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
 /// Rotations as (x, y, z, w), each normalised; a zero quaternion is kMalformed.
 std::vector<glm::quat> readQuaternions(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
+/// Every component of every element in a row, for any type; the padding of small matrices is left out.
+std::vector<float> readComponents(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
 /// Unsigned indices, each below vertexCount (checked).
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint32_t vertexCount,
                                        std::uint64_t maxElements);

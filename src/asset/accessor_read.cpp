@@ -157,6 +157,24 @@ std::vector<glm::quat> readQuaternions(const tinygltf::Model& model, int accesso
   return values;
 }
 
+std::vector<float> readComponents(const tinygltf::Model& model, int accessor, std::uint64_t maxElements) {
+  const std::vector<std::byte> packed = packedBytes(model, accessor, maxElements);
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  const std::uint32_t size = detail::elementBytes(source.type, source.componentType);
+  const std::uint32_t componentSize = detail::componentBytes(source.componentType);
+  const std::uint32_t components = detail::componentCount(source.type);
+  const std::uint32_t rows = source.type == TINYGLTF_TYPE_MAT2 ? 2 : source.type == TINYGLTF_TYPE_MAT3 ? 3 : components;
+  const std::uint32_t columnBytes = size / (components / rows);
+  std::vector<float> values;
+  values.reserve(source.count * components);
+  for (std::size_t i = 0; i < source.count; ++i) {
+    for (std::uint32_t c = 0; c < components; ++c)
+      values.push_back(loadFloat(packed.data() + i * size + c / rows * columnBytes + c % rows * componentSize,
+                                 source.componentType, source.normalized));
+  }
+  return values;
+}
+
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint32_t vertexCount,
                                        std::uint64_t maxElements) {
   requireType(model, accessor, {TINYGLTF_TYPE_SCALAR});

@@ -136,6 +136,23 @@ void checkExtensions(const json& document, const Path& file) {
     throw Error(ErrorCode::kUnsupported, fmt::format("the file requires extensions not known here: {}", unknown), file);
 }
 
+/// Draco data without which a file can be read: the accessors hold the same vertices. Nobody here reads it, and the
+/// views it refers to would be dropped, so the extension goes.
+void dropDraco(json& document) {
+  constexpr const char* kDraco = "KHR_draco_mesh_compression";
+  const auto used = document.find("extensionsUsed");
+  if (used == document.end() || !used->is_array()) return;
+  used->erase(std::remove(used->begin(), used->end(), json(kDraco)), used->end());
+  if (used->empty()) document.erase("extensionsUsed");
+  if (!document.contains("meshes")) return;
+  for (json& mesh : document["meshes"]) {
+    for (json& primitive : mesh["primitives"]) {
+      const auto extensions = primitive.find("extensions");
+      if (extensions != primitive.end() && extensions->is_object()) extensions->erase(kDraco);
+    }
+  }
+}
+
 void checkTopLevel(const json& document, const Path& file) {
   for (const char* key : kTopLevelArrays) {
     const auto found = document.find(key);
@@ -167,6 +184,7 @@ json parseDocument(std::string_view text, const Limits& limits, const Path& file
   checkTopLevel(document, file);
   checkNumbers(document, file);
   checkShapes(document, file);
+  dropDraco(document);
   return document;
 }
 

@@ -8,9 +8,11 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "asset/gltf_json.h"
+#include "core/check.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -95,6 +97,7 @@ Compressed readExtension(const json& extension, const json& bufferView, std::siz
   return source;
 }
 
+/// @pre checkStride accepted the source: the codecs and filters abort on other strides and counts
 Bytes decode(const Compressed& source, std::size_t view, const Path& file) {
   Bytes decoded(source.count * source.stride);
   int failure = 0;
@@ -140,14 +143,53 @@ std::size_t elementSize(const json& accessor) {
   return bytes * components;
 }
 
+/// Accessors, sparse blocks and images that lie in each view.
+std::vector<int> countUsers(const json& document, std::size_t views) {
+  std::vector<int> users(views, 0);
+  const auto note = [&](const json& object) {
+    if (object.contains("bufferView")) ++users.at(object["bufferView"].get<std::size_t>());
+  };
+  for (const json& image : document.value("images", json::array()))
+    note(image);
+  for (const json& accessor : document.value("accessors", json::array())) {
+    note(accessor);
+    if (!accessor.contains("sparse")) continue;
+    note(accessor["sparse"].at("indices"));
+    note(accessor["sparse"].at("values"));
+  }
+  return users;
+}
+
+/// Accessors with a use for which their order matters. The codec of triangles may begin a triangle at another corner.
+std::set<std::size_t> accessorsBesidesTriangles(const json& document) {
+  std::set<std::size_t> accessors;
+  for (const json& mesh : document.value("meshes", json::array())) {
+    for (const json& primitive : mesh.at("primitives")) {
+      for (const auto& [name, accessor] : primitive.at("attributes").items())
+        accessors.insert(accessor.get<std::size_t>());
+      for (const json& target : primitive.value("targets", json::array()))
+        for (const auto& [name, accessor] : target.items())
+          accessors.insert(accessor.get<std::size_t>());
+      if (primitive.contains("indices") && primitive.value("mode", 4) != 4)
+        accessors.insert(primitive["indices"].get<std::size_t>());
+    }
+  }
+  for (const json& animation : document.value("animations", json::array())) {
+    for (const json& sampler : animation.at("samplers")) {
+      accessors.insert(sampler.at("input").get<std::size_t>());
+      accessors.insert(sampler.at("output").get<std::size_t>());
+    }
+  }
+  return accessors;
+}
+
 /// Per view what can be compressed: views with one accessor that fills them, used as a vertex attribute or as the
 /// indices of triangles.
 std::vector<std::optional<Content>> findContents(const json& document) {
   const json& views = document.at("bufferViews");
   const json accessors = document.value("accessors", json::array());
-  std::vector<int> users(views.size(), 0);
-  for (const json& accessor : accessors)
-    if (accessor.contains("bufferView")) ++users[accessor["bufferView"].get<std::size_t>()];
+  const std::vector<int> users = countUsers(document, views.size());
+  const std::set<std::size_t> keptInOrder = accessorsBesidesTriangles(document);
   std::vector<std::optional<Content>> contents(views.size());
   const auto note = [&](std::size_t index, bool isTriangles) {
     const json& accessor = accessors.at(index);
@@ -156,6 +198,7 @@ std::vector<std::optional<Content>> findContents(const json& document) {
     const std::size_t size = elementSize(accessor);
     const std::size_t stride = views[view].value("byteStride", size);
     const auto count = accessor["count"].get<std::size_t>();
+    if (isTriangles && keptInOrder.contains(index)) return;
     const bool fits = isTriangles ? (size == 2 || size == 4) && stride == size && count % 3 == 0
                                   : size > 0 && stride % 4 == 0 && stride <= 256;
     if (users[view] != 1 || !fits || stride * count != views[view]["byteLength"].get<std::size_t>()) return;
@@ -172,9 +215,12 @@ std::vector<std::optional<Content>> findContents(const json& document) {
   return contents;
 }
 
+/// @pre the data holds count elements, stride apart
 Bytes encode(const Content& content, const unsigned char* data) {
   Bytes encoded;
+  JAL_CHECK(content.count > 0U);
   if (content.isTriangles) {
+    JAL_CHECK(content.count % 3 == 0U);  // of both calls below
     std::vector<unsigned int> indices(content.count);
     for (std::size_t i = 0; i < content.count; ++i)
       std::memcpy(&indices[i], data + i * content.stride, content.stride);  // little-endian, zero-extended
@@ -183,6 +229,7 @@ Bytes encode(const Content& content, const unsigned char* data) {
     meshopt_encodeIndexVersion(1);
     encoded.resize(meshopt_encodeIndexBuffer(encoded.data(), encoded.size(), indices.data(), indices.size()));
   } else {
+    JAL_CHECK((content.stride > 0 && content.stride <= 256 && content.stride % 4 == 0));  // of both calls below
     encoded.resize(meshopt_encodeVertexBufferBound(content.count, content.stride));
     meshopt_encodeVertexVersion(0);
     encoded.resize(meshopt_encodeVertexBuffer(encoded.data(), encoded.size(), data, content.count, content.stride));

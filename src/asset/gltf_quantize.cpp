@@ -1,6 +1,8 @@
 // One common grid per chain of levels; accessors rewritten one by one, shared ones once.
 #include "asset/gltf_quantize.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
+#include "core/error.h"
 
 namespace jalousie::asset {
 namespace {
@@ -176,6 +179,7 @@ std::vector<Chain> findChains(const tinygltf::Model& model) {
   return chains;
 }
 
+/// The grid of some meshes. Errors: kUnsupported (its side is no finite float).
 Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
   glm::dvec3 high = -low;
@@ -190,7 +194,12 @@ Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
   const glm::dvec3 extent = high - low;
   const double side = std::max({extent.x, extent.y, extent.z});
   // A power of two scales normals, errors and positions without rounding.
-  return {low, side > 0.0 && std::isfinite(side) ? std::exp2(std::ceil(std::log2(side))) : 1.0};
+  const double grid = side > 0.0 ? std::exp2(std::ceil(std::log2(side))) : 1.0;
+  if (!std::isfinite(static_cast<float>(grid)))
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("mesh {}: its positions span {:g} units, too many for a grid; leave out --quantize",
+                            *meshes.begin(), side));
+  return {low, grid};
 }
 
 /// Lengths of extras.jalousie in the mesh's new object space, with the rounding added to what may be off.
@@ -244,6 +253,7 @@ void moveMeshIntoChild(tinygltf::Model& model, int index, const Grid& grid) {
       return std::find(lower.begin(), lower.end(), channel.target_node) != lower.end();
     });
   }
+  std::erase_if(model.animations, [](const tinygltf::Animation& animation) { return animation.channels.empty(); });
   std::vector<float> levels = coverage;
   levels.resize(lower.size() + 1, 0.0F);
   setLodChain(model, childIndex, lower, levels);

@@ -17,7 +17,8 @@ namespace jalousie::asset {
 /// mesh's new object space and grow by the rounding of positions. Meshes with morph targets or skins, of other modes
 /// than triangles, and with integers already are left alone; so are POSITIONs of meshes that a node with instances
 /// (EXT_mesh_gpu_instancing) shows.
-/// Declares the extension as used and required if anything was changed.
+/// Declares the extension as used and required if anything was changed. Errors: kUnsupported (positions that span more
+/// than floats can scale).
 void quantizeModel(tinygltf::Model& model);
 
 }  // namespace jalousie::asset

@@ -25,6 +25,7 @@ class ShapeCheck {
     each("skins", [&](const json& skin) { requiredList(skin, "joints"); });
     each("animations", [&](const json& animation) { checkAnimation(animation); });
     each("materials", [&](const json& material) { checkMaterial(material); });
+    each("textures", [&](const json& texture) { checkTexture(texture); });
     each("accessors", [&](const json& accessor) { checkSparse(accessor); });
   }
 
@@ -74,7 +75,59 @@ class ShapeCheck {
     if (!fits) fail(fmt::format("\"{}\" is not a list of {} numbers", key, count));
   }
 
+  /// A member of an extension; null if the object does not have it.
+  static const json* extensionMember(const json& object, const char* extension, const char* key) {
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object()) return nullptr;
+    const auto found = extensions->find(extension);
+    if (found == extensions->end() || !found->is_object()) return nullptr;
+    const auto member = found->find(key);
+    return member == found->end() ? nullptr : &*member;
+  }
+
+  std::size_t countOf(const char* kind) const {
+    const auto list = document_.find(kind);
+    return list == document_.end() ? 0 : list->size();
+  }
+
+  /// An index that an extension holds; absent ones pass.
+  void indexBelow(const json* value, std::size_t count, const char* extension) const {
+    if (value == nullptr) return;
+    if (!value->is_number_unsigned() || value->get<std::uint64_t>() >= count)
+      fail(fmt::format("{}: index {} is out of range, there are {}", extension, oneLine(value->dump()), count));
+  }
+
+  void indicesBelow(const json* values, std::size_t count, const char* extension) const {
+    if (values == nullptr) return;
+    if (!values->is_array()) fail(fmt::format("{}: the indices are no list", extension));
+    for (const json& value : *values)
+      indexBelow(&value, count, extension);
+  }
+
+  void checkTexture(const json& texture) const {
+    for (const char* extension : {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu", "MSFT_texture_dds"})
+      indexBelow(extensionMember(texture, extension, "source"), countOf("images"), extension);
+  }
+
+  void checkVariants(const json& primitive) const {
+    constexpr const char* kVariants = "KHR_materials_variants";
+    const json* mappings = extensionMember(primitive, kVariants, "mappings");
+    if (mappings == nullptr) return;
+    const json* variants = extensionMember(document_, kVariants, "variants");
+    if (!mappings->is_array()) fail(fmt::format("{}: the mappings are no list", kVariants));
+    for (const json& mapping : *mappings) {
+      if (!mapping.is_object()) fail(fmt::format("{}: a mapping is not an object", kVariants));
+      const auto material = mapping.find("material");
+      const auto names = mapping.find("variants");
+      if (material != mapping.end()) indexBelow(&*material, countOf("materials"), kVariants);
+      if (names != mapping.end()) indicesBelow(&*names, variants == nullptr ? 0 : variants->size(), kVariants);
+    }
+  }
+
   void checkNode(const json& node) const {
+    const json* lights = extensionMember(document_, "KHR_lights_punctual", "lights");
+    indexBelow(extensionMember(node, "KHR_lights_punctual", "light"), lights == nullptr ? 0 : lights->size(),
+               "KHR_lights_punctual");
     optionalList(node, "children");
     numbers(node, "matrix", 16);
     numbers(node, "translation", 3);
@@ -87,6 +140,7 @@ class ShapeCheck {
       if (!primitive.is_object()) fail("a primitive is not an object");
       if (requiredObject(primitive, "attributes").empty()) fail("a primitive has no attributes");
       optionalList(primitive, "targets");
+      checkVariants(primitive);
     }
   }
 
@@ -103,6 +157,7 @@ class ShapeCheck {
 
   void checkMaterial(const json& material) const {
     numbers(material, "emissiveFactor", 3);
+    indicesBelow(extensionMember(material, "MSFT_lod", "ids"), countOf("materials"), "MSFT_lod");
     if (const auto found = material.find("pbrMetallicRoughness"); found != material.end()) {
       if (!found->is_object()) fail("\"pbrMetallicRoughness\" is not an object");
       numbers(*found, "baseColorFactor", 4);
@@ -117,8 +172,7 @@ class ShapeCheck {
       if (key.ends_with("Texture") && member.is_object()) {
         const auto index = member.find("index");
         if (index == member.end() || !index->is_number_unsigned()) fail(fmt::format("\"{}\" has no index", key));
-        const auto textures = document_.find("textures");
-        const std::size_t count = textures == document_.end() ? 0 : textures->size();
+        const std::size_t count = countOf("textures");
         if (index->get<std::uint64_t>() >= count)
           fail(fmt::format("\"{}\" is texture {}, there are {}", key, index->get<std::uint64_t>(), count));
       }

@@ -3,11 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asset/accessor_layout.h"
+#include "asset/camera_validate.h"
 #include "asset/gltf_images.h"
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
@@ -35,6 +40,22 @@ void requireLength(const std::vector<double>& values, std::size_t length, const 
     malformed(fmt::format("{} {}: {} has {} numbers, not {}", owner, index, what, values.size(), length));
 }
 
+/// Numbers that are used as floats must be finite as floats. @param what  "node 3: scale", for the message
+void requireFinite(const std::vector<double>& values, const std::string& what) {
+  for (const double value : values)
+    if (!std::isfinite(static_cast<float>(value))) malformed(fmt::format("{} is not finite: {:g}", what, value));
+}
+
+/// min and max have a number for each component. tinygltf writes them as they are.
+void validateBounds(const tinygltf::Accessor& accessor, std::size_t index) {
+  for (const auto& [bounds, name] : {std::pair(&accessor.minValues, "min"), std::pair(&accessor.maxValues, "max")}) {
+    if (!bounds->empty() && bounds->size() != componentCount(accessor.type))
+      malformed(fmt::format("accessor {}: {} has {} numbers, its elements have {}", index, name, bounds->size(),
+                            componentCount(accessor.type)));
+    requireFinite(*bounds, fmt::format("accessor {}: {}", index, name));
+  }
+}
+
 /// Views and accessors lie in what holds them; the rest of validateData relies on it.
 void validateRanges(const Model& model, const Limits& limits) {
   for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
@@ -42,6 +63,7 @@ void validateRanges(const Model& model, const Limits& limits) {
   for (std::size_t i = 0; i < model.accessors.size(); ++i) {
     const int index = static_cast<int>(i);
     baseElements(model, index, limits.maxAccessorElements);
+    validateBounds(model.accessors[i], i);
     if (model.accessors[i].bufferView < 0 && model.accessors[i].byteOffset > 0)
       malformed(fmt::format("accessor {} has an offset into no buffer view", i));
     if (model.accessors[i].sparse.isSparse) sparseElements(model, index);
@@ -79,9 +101,27 @@ void validateAttributes(const Model& model, const std::map<std::string, int>& at
   }
 }
 
+/// Weights of morph targets, one for each target. @param owner  "mesh 3" or "node 3", for the message
+void validateWeights(const std::vector<double>& weights, const tinygltf::Mesh& mesh, const std::string& owner) {
+  const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives[0].targets.size();
+  if (!weights.empty() && weights.size() != targets)
+    malformed(fmt::format("{}: {} weights for {} morph targets", owner, weights.size(), targets));
+  requireFinite(weights, owner + ": weights");
+}
+
 void validateMeshes(const Model& model) {
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
-    for (const tinygltf::Primitive& primitive : model.meshes[i].primitives) {
+    const tinygltf::Mesh& mesh = model.meshes[i];
+    try {
+      lodInfo(mesh);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("mesh {}: {}", i, error.what()));
+    }
+    validateWeights(mesh.weights, mesh, fmt::format("mesh {}", i));
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      if (primitive.targets.size() != mesh.primitives[0].targets.size())
+        malformed(fmt::format("mesh {}: its primitives have {} and {} morph targets", i,
+                              mesh.primitives[0].targets.size(), primitive.targets.size()));
       validateAttributes(model, primitive.attributes, i);
       for (const auto& target : primitive.targets)
         validateAttributes(model, target, i);
@@ -115,12 +155,27 @@ void validateNodes(const Model& model) {
     requireLength(node.translation, 3, "node", i, "translation");
     requireLength(node.rotation, 4, "node", i, "rotation");
     requireLength(node.scale, 3, "node", i, "scale");
-    localTransform(node);  // a rotation has a direction
+    if (!node.weights.empty()) {
+      if (node.mesh < 0) malformed(fmt::format("node {} has weights of morph targets and no mesh", i));
+      validateWeights(node.weights, model.meshes[static_cast<std::size_t>(node.mesh)], fmt::format("node {}", i));
+    }
     validateInstancing(model, node, i);
     for (const int level : lodNodes(model, static_cast<int>(i)))
       if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
         malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
   }
+}
+
+/// localTransform with the node's index in its message. Errors: kMalformed (a rotation without direction, a transform
+/// that is not finite as floats).
+glm::dmat4 nodeTransform(const tinygltf::Node& node, int index) {
+  try {
+    const glm::dmat4 local = localTransform(node);
+    if (isFinite(local)) return local;
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("node {}: {}", index, error.what()));
+  }
+  malformed(fmt::format("node {}: transform is not finite", index));
 }
 
 std::vector<std::uint8_t> markChildren(const Model& model) {
@@ -134,23 +189,33 @@ std::vector<std::uint8_t> markChildren(const Model& model) {
   return isChild;
 }
 
-/// With at most one parent per node, a cycle is a part that no root reaches.
-void validateForest(const Model& model) {
-  const std::vector<std::uint8_t> isChild = markChildren(model);
-  std::vector<int> stack;
+/// Follows the hierarchy from its roots. With at most one parent per node, a cycle is a part that no root reaches.
+/// Every product of transforms must be finite.
+void validateHierarchy(const Model& model, const std::vector<std::uint8_t>& isChild) {
+  struct Visit {
+    int node;
+    glm::dmat4 worldFromParent;
+  };
+  std::vector<Visit> stack;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    if (isChild[i] == 0) stack.push_back(static_cast<int>(i));
+    if (isChild[i] == 0) stack.push_back({static_cast<int>(i), glm::dmat4(1.0)});
   }
   std::size_t reached = 0;
   while (!stack.empty()) {
-    const auto node = static_cast<std::size_t>(stack.back());
+    const auto [index, worldFromParent] = stack.back();
     stack.pop_back();
     ++reached;
-    const std::vector<int>& children = model.nodes[node].children;
-    stack.insert(stack.end(), children.begin(), children.end());
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    const glm::dmat4 worldFromNode = worldFromParent * nodeTransform(node, index);
+    if (!isFinite(worldFromNode)) malformed(fmt::format("node {}: transform is not finite", index));
+    for (const int child : node.children)
+      stack.push_back({child, worldFromNode});
   }
   if (reached != model.nodes.size()) malformed("the node hierarchy has a cycle");
+}
 
+/// Scenes list roots, each once.
+void validateScenes(const Model& model, const std::vector<std::uint8_t>& isChild) {
   std::vector<std::size_t> lastListed(model.nodes.size(), 0);  // 1 + the last scene that lists a node
   for (std::size_t s = 0; s < model.scenes.size(); ++s) {
     for (const int root : model.scenes[s].nodes) {
@@ -165,19 +230,19 @@ void validateForest(const Model& model) {
 }
 
 void validateCameras(const Model& model) {
-  for (std::size_t i = 0; i < model.cameras.size(); ++i) {
-    const tinygltf::Camera& camera = model.cameras[i];
-    bool valid = false;
-    if (camera.type == "perspective") {
-      const tinygltf::PerspectiveCamera& lens = camera.perspective;
-      valid = lens.yfov > 0.0 && lens.znear > 0.0 && lens.aspectRatio >= 0.0 &&
-              (lens.zfar == 0.0 || lens.zfar > lens.znear);
-    } else if (camera.type == "orthographic") {
-      const tinygltf::OrthographicCamera& lens = camera.orthographic;
-      valid = lens.xmag != 0.0 && lens.ymag != 0.0 && lens.znear >= 0.0 && lens.zfar > lens.znear;
-    }
-    if (!valid) malformed(fmt::format("camera {} has no lens that sees anything", i));
-  }
+  for (std::size_t i = 0; i < model.cameras.size(); ++i)
+    validateLens(model.cameras[i], i);
+}
+
+bool isOneOf(const std::string& name, std::initializer_list<const char*> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What a channel moves. KHR_animation_pointer names it in the extension.
+void validatePath(const tinygltf::AnimationChannel& channel, std::size_t animation) {
+  const bool pointer = channel.target_path == "pointer" && channel.target_extensions.contains("KHR_animation_pointer");
+  if (!pointer && !isOneOf(channel.target_path, {"translation", "rotation", "scale", "weights"}))
+    malformed(fmt::format("animation {}: path \"{}\" is not known", animation, oneLine(channel.target_path)));
 }
 
 void validateAnimations(const Model& model) {
@@ -186,10 +251,13 @@ void validateAnimations(const Model& model) {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       requireIndex(channel.sampler, animation.samplers.size(), fmt::format("animation {}: sampler", i));
       requireOptional(channel.target_node, model.nodes.size(), "animation", i, "node");
+      validatePath(channel, i);
     }
     for (const tinygltf::AnimationSampler& sampler : animation.samplers) {
       requireIndex(sampler.input, model.accessors.size(), fmt::format("animation {}: input accessor", i));
       requireIndex(sampler.output, model.accessors.size(), fmt::format("animation {}: output accessor", i));
+      if (!sampler.interpolation.empty() && !isOneOf(sampler.interpolation, {"LINEAR", "STEP", "CUBICSPLINE"}))
+        malformed(fmt::format("animation {}: interpolation \"{}\" is not known", i, oneLine(sampler.interpolation)));
     }
   }
 }
@@ -211,7 +279,9 @@ void validateModel(const Model& model, const Limits& limits) {
   validateMaterials(model);
   validateMeshes(model);
   validateNodes(model);
-  validateForest(model);
+  const std::vector<std::uint8_t> isChild = markChildren(model);
+  validateHierarchy(model, isChild);
+  validateScenes(model, isChild);
   validateCameras(model);
   validateAnimations(model);
   validateSkins(model);

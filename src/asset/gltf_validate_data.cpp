@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "asset/accessor.h"
 #include "asset/accessor_layout.h"
 #include "asset/gltf_validate.h"
-#include "asset/instancing.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -59,10 +62,10 @@ void checkDemand(const Model& model, const Limits& limits) {
     throw Error(ErrorCode::kLimit, fmt::format("accessors read {} bytes out of buffers of {}", bytes, given));
 }
 
-std::uint32_t indexAt(const Elements& elements, int componentType, std::uint64_t i) {
-  const std::byte* at = elements.data + i * elements.stride;
+/// An unsigned integer of `size` bytes.
+std::uint32_t unsignedAt(const std::byte* address, std::uint32_t size) {
   std::uint32_t value = 0;
-  std::memcpy(&value, at, componentBytes(componentType));  // little-endian, zero-extended
+  std::memcpy(&value, address, size);  // little-endian, zero-extended
   return value;
 }
 
@@ -72,20 +75,24 @@ void checkSparse(const Model& model, int index) {
   const Elements indices = sparseElements(model, index).indices;
   std::uint64_t lowest = 0;
   for (std::uint64_t i = 0; i < indices.count; ++i) {
-    const std::uint64_t value = indexAt(indices, accessor.sparse.indices.componentType, i);
+    const std::uint64_t value =
+        unsignedAt(indices.data + i * indices.stride, static_cast<std::uint32_t>(indices.stride));
     if (value < lowest || value >= accessor.count)
       malformed(fmt::format("accessor {}: sparse indices must ascend and stay in range", index));
     lowest = value + 1;
   }
 }
 
-/// Largest vertex index of an accessor, base and sparse elements alike.
-std::uint32_t largestIndex(const Model& model, int index) {
+/// Largest component of an accessor of unsigned integers, base and sparse elements alike.
+std::uint32_t largestComponent(const Model& model, int index) {
   const tinygltf::Accessor& accessor = accessorAt(model, index);
+  const std::uint32_t components = componentCount(accessor.type);
+  const std::uint32_t size = componentBytes(accessor.componentType);
   const auto largest = [&](const Elements& elements) {
     std::uint32_t result = 0;
     for (std::uint64_t i = 0; elements.data != nullptr && i < elements.count; ++i)
-      result = std::max(result, indexAt(elements, accessor.componentType, i));
+      for (std::uint32_t c = 0; c < components; ++c)
+        result = std::max(result, unsignedAt(elements.data + i * elements.stride + c * size, size));
     return result;
   };
   const std::uint32_t base = largest(baseElements(model, index, std::numeric_limits<std::uint64_t>::max()));
@@ -98,14 +105,14 @@ bool isUnsigned(int componentType) {
          componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-/// Whether an accessor may hold this attribute. Any component type of KHR_mesh_quantization will do; application
-/// specific attributes may be anything.
-bool fitsAttribute(const std::string& name, const tinygltf::Accessor& accessor) {
+/// Whether an accessor may hold this attribute, of a vertex or of a morph target. Any component type of
+/// KHR_mesh_quantization will do; application specific attributes may be anything.
+bool fitsAttribute(const std::string& name, const tinygltf::Accessor& accessor, bool isTarget) {
   const int type = accessor.type;
   if (name.starts_with('_')) return true;
   if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return false;
   if (name == "POSITION" || name == "NORMAL") return type == TINYGLTF_TYPE_VEC3;
-  if (name == "TANGENT") return type == TINYGLTF_TYPE_VEC4 || type == TINYGLTF_TYPE_VEC3;  // VEC3 in morph targets
+  if (name == "TANGENT") return type == (isTarget ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4);
   if (name.starts_with("TEXCOORD_")) return type == TINYGLTF_TYPE_VEC2;
   if (name.starts_with("COLOR_")) return type == TINYGLTF_TYPE_VEC3 || type == TINYGLTF_TYPE_VEC4;
   if (name.starts_with("JOINTS_"))
@@ -122,78 +129,78 @@ class MeshCheck {
   void check(std::size_t mesh) {
     for (const tinygltf::Primitive& primitive : model_.meshes[mesh].primitives) {
       std::optional<std::uint64_t> vertices;
-      checkAttributes(primitive.attributes, mesh, vertices);
+      checkAttributes(primitive.attributes, mesh, false, vertices);
       for (const auto& target : primitive.targets)
-        checkAttributes(target, mesh, vertices);
+        checkAttributes(target, mesh, true, vertices);
       if (primitive.indices >= 0) checkIndices(primitive.indices, mesh, vertices.value_or(0));
     }
   }
 
+  /// Joints of a mesh that a node shows with a skin. @param joints  of the skin
+  void checkJoints(std::size_t mesh, std::size_t joints) {
+    for (const tinygltf::Primitive& primitive : model_.meshes[mesh].primitives) {
+      for (const auto& [name, index] : primitive.attributes) {
+        if (name.starts_with("JOINTS_") && largest(index) >= joints)
+          malformed(fmt::format("mesh {}: joint {} of {} is out of range, the skin has {}", mesh, largest(index), name,
+                                joints));
+      }
+    }
+  }
+
  private:
-  void checkAttributes(const std::map<std::string, int>& attributes, std::size_t mesh,
-                       std::optional<std::uint64_t>& vertices) const {
+  void checkAttributes(const std::map<std::string, int>& attributes, std::size_t mesh, bool isTarget,
+                       std::optional<std::uint64_t>& vertices) {
     for (const auto& [name, index] : attributes) {
       const tinygltf::Accessor& accessor = accessorAt(model_, index);
-      if (!fitsAttribute(name, accessor))
+      if (!fitsAttribute(name, accessor, isTarget))
         malformed(fmt::format("mesh {}: accessor {} has the wrong type for {}", mesh, index, name));
       if (vertices.value_or(accessor.count) != accessor.count)
         malformed(fmt::format("mesh {}: attributes of one primitive have {} and {} elements", mesh, *vertices,
                               accessor.count));
       vertices = accessor.count;
+      if (name.starts_with("WEIGHTS_") && weights_.insert(index).second) checkWeights(index, mesh);
     }
+  }
+
+  void checkWeights(int index, std::size_t mesh) const {
+    for (const float weight : readComponents(model_, index, accessorAt(model_, index).count))
+      if (!(weight >= 0.0F && std::isfinite(weight)))
+        malformed(fmt::format("mesh {}: the weight {:g} is negative or not finite", mesh, weight));
   }
 
   void checkIndices(int index, std::size_t mesh, std::uint64_t vertices) {
     const tinygltf::Accessor& accessor = accessorAt(model_, index);
-    if (accessor.type != TINYGLTF_TYPE_SCALAR || !isUnsigned(accessor.componentType))
+    if (accessor.type != TINYGLTF_TYPE_SCALAR || !isUnsigned(accessor.componentType) || accessor.normalized)
       malformed(fmt::format("mesh {}: accessor {} cannot hold vertex indices", mesh, index));
-    std::optional<std::uint32_t>& largest = largest_[static_cast<std::size_t>(index)];
-    if (!largest) largest = largestIndex(model_, index);
+    const std::uint32_t most = largest(index);
     // The largest number of a type restarts a strip wherever it stands.
     const std::uint32_t restart = 0xFFFFFFFFU >> (32U - 8U * componentBytes(accessor.componentType));
-    if (*largest == restart) malformed(fmt::format("mesh {}: vertex index {} restarts a primitive", mesh, restart));
-    if (*largest >= vertices)
-      malformed(
-          fmt::format("mesh {}: vertex index {} is out of range, there are {} vertices", mesh, *largest, vertices));
+    if (most == restart) malformed(fmt::format("mesh {}: vertex index {} restarts a primitive", mesh, restart));
+    if (most >= vertices)
+      malformed(fmt::format("mesh {}: vertex index {} is out of range, there are {} vertices", mesh, most, vertices));
+  }
+
+  /// @pre the accessor holds unsigned integers
+  std::uint32_t largest(int index) {
+    std::optional<std::uint32_t>& known = largest_[static_cast<std::size_t>(index)];
+    if (!known) known = largestComponent(model_, index);
+    return *known;
   }
 
   const Model& model_;
-  std::vector<std::optional<std::uint32_t>> largest_;  ///< per accessor used as indices
+  std::vector<std::optional<std::uint32_t>> largest_;  ///< per accessor used as indices or joints
+  std::set<int> weights_;                              ///< accessors of weights that were checked
 };
 
-void checkSkins(const Model& model) {
-  for (std::size_t i = 0; i < model.skins.size(); ++i) {
-    const tinygltf::Skin& skin = model.skins[i];
-    if (skin.inverseBindMatrices < 0) continue;
-    const tinygltf::Accessor& matrices = accessorAt(model, skin.inverseBindMatrices);
-    if (matrices.type != TINYGLTF_TYPE_MAT4 || matrices.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
-        matrices.count < skin.joints.size())
-      malformed(fmt::format("skin {}: accessor {} does not hold a matrix for each of {} joints", i,
-                            skin.inverseBindMatrices, skin.joints.size()));
-  }
-}
-
-/// Keys of a channel: one value each, three with CUBICSPLINE; weights have one for each morph target.
-void checkChannel(const Model& model, const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel,
-                  std::size_t index) {
-  const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
-  const tinygltf::Accessor& input = accessorAt(model, sampler.input);
-  const std::uint64_t values = accessorAt(model, sampler.output).count;
-  if (input.type != TINYGLTF_TYPE_SCALAR) malformed(fmt::format("animation {}: times are no scalars", index));
-  const std::uint64_t keys = input.count * (sampler.interpolation == "CUBICSPLINE" ? 3 : 1);
-  const bool fits = channel.target_path == "weights" ? values % keys == 0 : values == keys;
-  if (!fits) malformed(fmt::format("animation {}: {} values for {} times", index, values, input.count));
-}
-
-/// Counts, types and rotations of EXT_mesh_gpu_instancing, by reading them as the runtime does.
-void checkInstances(const Model& model, const Limits& limits) {
-  std::uint64_t total = 0;
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    if (!model.nodes[i].extensions.contains("EXT_mesh_gpu_instancing")) continue;
-    total += readInstances(model, static_cast<int>(i), limits).translations.size();
-    if (total > limits.maxInstances)
-      throw Error(ErrorCode::kLimit, fmt::format("more than {} instances", limits.maxInstances));
-  }
+void checkMeshes(const Model& model) {
+  MeshCheck meshes(model);
+  for (std::size_t i = 0; i < model.meshes.size(); ++i)
+    meshes.check(i);
+  std::set<std::pair<int, int>> skinned;  // mesh and skin; many nodes may show one pair
+  for (const tinygltf::Node& node : model.nodes)
+    if (node.skin >= 0 && node.mesh >= 0) skinned.emplace(node.mesh, node.skin);
+  for (const auto& [mesh, skin] : skinned)
+    meshes.checkJoints(static_cast<std::size_t>(mesh), model.skins[static_cast<std::size_t>(skin)].joints.size());
 }
 
 }  // namespace
@@ -202,14 +209,8 @@ void validateData(const Model& model, const Limits& limits) {
   checkDemand(model, limits);
   for (std::size_t i = 0; i < model.accessors.size(); ++i)
     checkSparse(model, static_cast<int>(i));
-  MeshCheck meshes(model);
-  for (std::size_t i = 0; i < model.meshes.size(); ++i)
-    meshes.check(i);
-  checkSkins(model);
-  checkInstances(model, limits);
-  for (std::size_t i = 0; i < model.animations.size(); ++i)
-    for (const tinygltf::AnimationChannel& channel : model.animations[i].channels)
-      checkChannel(model, model.animations[i], channel, i);
+  checkMeshes(model);
+  validateMotion(model, limits);
 }
 
 }  // namespace jalousie::asset::detail

@@ -48,7 +48,9 @@ double memberNumber(const tinygltf::Value& object, const char* key) {
   const tinygltf::Value& value = object.Get(key);
   if (!value.IsNumber()) malformed(fmt::format("extras.{}.{} is not a number", kExtras, key));
   const double number = value.GetNumberAsDouble();
-  if (!std::isfinite(number) || number < 0.0) malformed(fmt::format("extras.{}.{} is negative", kExtras, key));
+  if (number < 0.0) malformed(fmt::format("extras.{}.{} is negative", kExtras, key));
+  if (!std::isfinite(static_cast<float>(number)))
+    malformed(fmt::format("extras.{}.{} is no finite float", kExtras, key));
   return number;
 }
 

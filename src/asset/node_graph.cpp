@@ -31,6 +31,12 @@ glm::dmat4 localTransform(const tinygltf::Node& node) {
   return local;
 }
 
+bool isFinite(const glm::dmat4& transform) {
+  for (int i = 0; i < 16; ++i)
+    if (!std::isfinite(static_cast<float>(transform[i / 4][i % 4]))) return false;
+  return true;
+}
+
 std::vector<int> sceneRoots(const tinygltf::Model& model) {
   if (!model.scenes.empty())
     return model.scenes[static_cast<std::size_t>(model.defaultScene >= 0 ? model.defaultScene : 0)].nodes;
