@@ -183,16 +183,26 @@ TEST(BakeDocument, ABakedDocumentStaysAsItIs) {  // found by flipping bits: leve
   EXPECT_EQ(asset::encodeGlb(std::move(again)), once);
 }
 
-TEST(BakeDocument, BadPositionsOfPassedMeshesAreReported) {
-  tinygltf::Model model = document();
-  std::vector<glm::vec3> points = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}};
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_POINTS;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, points, 0);
-  model.meshes[1].primitives = {primitive};
-  const std::vector<MeshReport> reports = bakeIt(model);
-  EXPECT_EQ(reports[1].findings.notFinitePassedOn, 2U);
-  EXPECT_NE(reportText(reports).find("2 vertices with NaN"), std::string::npos);
+TEST(BakeDocument, NumbersThatAreNotFiniteInPassedMeshesAreRefused) {
+  for (const bool inTarget : {false, true}) {
+    tinygltf::Model model = document();
+    const std::vector<glm::vec3> good = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<glm::vec3> bad = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}};
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_POINTS;
+    primitive.attributes["POSITION"] = asset::appendVec3(model, inTarget ? good : bad, 0);
+    if (inTarget) primitive.targets = {{{"POSITION", asset::appendVec3(model, bad, 0)}}};
+    model.meshes[1].primitives = {primitive};
+    try {
+      bakeIt(model);
+      ADD_FAILURE() << inTarget;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kMalformed);
+      EXPECT_NE(std::string(error.what()).find("POSITION holds NaN or an infinite number"), std::string::npos)
+          << error.what();
+      EXPECT_NE(std::string(error.what()).find("points, lines or strips"), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

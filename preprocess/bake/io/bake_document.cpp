@@ -37,8 +37,6 @@ std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mes
     if (node.extensions.contains("MSFT_lod")) return "it has a chain already";
     if (isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
   }
-  for (const tinygltf::Primitive& primitive : mesh.primitives)
-    if (primitive.extensions.contains("KHR_draco_mesh_compression")) return "it is Draco-compressed";
   return unbakeableReason(mesh);
 }
 
@@ -102,17 +100,24 @@ void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<i
   }
 }
 
-/// Vertices of a mesh whose positions are NaN or infinite.
-std::uint64_t countNotFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits) {
+/// Refuses a mesh that is passed on as it is but holds numbers that are NaN or infinite. @param reason  why it is
+void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason,
+                   const asset::Limits& limits) {
   std::set<int> accessors;  // primitives may share them
-  for (const tinygltf::Primitive& primitive : mesh.primitives)
-    if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
-      accessors.insert(found->second);
-  std::uint64_t count = 0;
-  for (const int accessor : accessors)
-    for (const glm::vec3& p : asset::readVec3(model, accessor, limits.maxAccessorElements))
-      count += std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) ? 0U : 1U;
-  return count;
+  const auto check = [&](const std::map<std::string, int>& attributes) {
+    for (const auto& [name, accessor] : attributes) {
+      if (!accessors.insert(accessor).second) continue;
+      const std::vector<float> values = asset::readComponents(model, accessor, limits.maxAccessorElements);
+      if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
+        throw Error(ErrorCode::kMalformed,
+                    fmt::format("{} holds NaN or an infinite number and cannot be repaired, because {}", name, reason));
+    }
+  };
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    check(primitive.attributes);
+    for (const auto& target : primitive.targets)
+      check(target);
+  }
 }
 
 using MeshProgress = std::function<void(const std::string&)>;
@@ -172,7 +177,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
   if (!report.passedThrough.empty()) {
-    report.findings.notFinitePassedOn = countNotFinite(model, source, options.limits);
+    requireFinite(model, source, report.passedThrough, options.limits);
     return report;
   }
 
@@ -183,6 +188,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
+    requireFinite(model, source, report.passedThrough, options.limits);
     return report;
   }
   subdivideMesh(mesh, options.subdivide);
@@ -192,6 +198,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   report.diagonal = boundsOf(wedges.positions).diagonal();
   if (!std::isfinite(report.diagonal)) {
     report.passedThrough = "its coordinates are too large to measure";
+    requireFinite(model, source, report.passedThrough, options.limits);
     return report;
   }
 

@@ -13,9 +13,8 @@ namespace jalousie::bake {
 /// What was found in a mesh before it was simplified.
 struct MeshFindings {
   CleanCounts cleaned;
-  std::uint64_t repairedValues = 0;     ///< NaN or infinite numbers in attributes, now 0
-  std::uint64_t notFinitePassedOn = 0;  ///< vertices with NaN or infinite positions in a mesh that is passed through
-  std::uint64_t nonManifoldEdges = 0;   ///< of three and more triangles, or of two that run the same way; passed on
+  std::uint64_t repairedValues = 0;    ///< NaN or infinite numbers in attributes, now 0
+  std::uint64_t nonManifoldEdges = 0;  ///< of three and more triangles, or of two that run the same way; passed on
   std::uint64_t openEdges = 0;
   std::uint64_t looseParts = 0;
 };

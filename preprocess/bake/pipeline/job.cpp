@@ -10,6 +10,7 @@
 #include "asset/gltf_quantize.h"
 #include "bake/io/bake_document.h"
 #include "bake/io/import.h"
+#include "bake/io/read_back.h"
 #include "bake/pipeline/cache.h"
 #include "bake/pipeline/digest.h"
 #include "bake/report/report.h"
@@ -77,6 +78,7 @@ CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<Rea
   }
   if (settings.quantize) asset::quantizeModel(model);
   entry.output = asset::encodeGlb(std::move(model), {settings.compress});
+  requireReadable(entry.output, job.output);
   entry.report = reportJson(reports);
   entry.table = reportText(reports);
   return entry;

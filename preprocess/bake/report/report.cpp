@@ -19,7 +19,6 @@ std::string findingsText(const MeshFindings& findings) {
     if (count > 0) text += fmt::format("  {} {}\n", count, what);
   };
   note(findings.cleaned.notFinite, "triangles with NaN or infinite positions dropped");
-  note(findings.notFinitePassedOn, "vertices with NaN or infinite positions passed on");
   note(findings.cleaned.degenerate, "triangles without area dropped");
   note(findings.cleaned.duplicate, "duplicate triangles dropped");
   note(findings.repairedValues, "NaN or infinite attribute values set to 0");
@@ -91,7 +90,6 @@ std::string reportJson(const std::vector<MeshReport>& meshes) {
     entry["stop"] = mesh.stopReason;
     entry["passed_through"] = mesh.passedThrough;
     entry["not_finite"] = mesh.findings.cleaned.notFinite;
-    entry["not_finite_passed_on"] = mesh.findings.notFinitePassedOn;
     entry["degenerate"] = mesh.findings.cleaned.degenerate;
     entry["duplicate"] = mesh.findings.cleaned.duplicate;
     entry["repaired_values"] = mesh.findings.repairedValues;
