@@ -7,6 +7,8 @@
 
 #include "asset/gltf_file.h"
 #include "bake/bake_fixtures.h"
+#include "bake/pipeline/batch.h"
+#include "bake/pipeline/command_line.h"
 #include "core/file.h"
 #include "support/run_program.h"
 
@@ -285,6 +287,31 @@ TEST_F(BakeBatch, SlowFilesAreGivenUp) {
   EXPECT_NE(result.standardError.find("--timeout"), std::string::npos) << result.standardError;
   EXPECT_TRUE(fs::exists(folder_ / "out/quad.glb"));
   EXPECT_FALSE(fs::exists(folder_ / "out/large.glb"));
+}
+
+TEST(BakeLimits, DefaultsGrowWithTheInputAndStayWithinTheMachine) {
+  using bake::defaultMemory;
+  using bake::defaultTimeout;
+  using std::chrono::seconds;
+  EXPECT_EQ(defaultTimeout(1), seconds(600));
+  EXPECT_EQ(defaultTimeout(100ULL << 20U), seconds(6600));
+  EXPECT_LE(defaultTimeout(~0ULL), seconds(1'000'000));
+  EXPECT_EQ(defaultMemory(1 << 20U, 1ULL << 40U), (4ULL << 30U) + (64ULL << 20U));
+  EXPECT_EQ(defaultMemory(1 << 20U, 1ULL << 30U), 1ULL << 30U);
+  EXPECT_EQ(defaultMemory(~0ULL, 8ULL << 30U), 8ULL << 30U);
+}
+
+TEST(BakeLimits, ZeroLiftsALimitAndNothingLeavesTheDefault) {
+  const auto parsed = [](const std::vector<const char*>& options) {
+    std::vector<const char*> arguments = {"jalousie-bake", "a.ply", "-o", "a.glb"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return bake::parseCommandLine(static_cast<int>(arguments.size()), arguments.data()).value();
+  };
+  EXPECT_EQ(parsed({}).timeout, std::nullopt);
+  EXPECT_EQ(parsed({}).maxMemory, std::nullopt);
+  EXPECT_EQ(parsed({"--timeout", "0"}).timeout, std::chrono::milliseconds(0));
+  EXPECT_EQ(parsed({"--timeout", "0.0001"}).timeout, std::chrono::milliseconds(1)) << "no limit only for 0 itself";
+  EXPECT_EQ(parsed({"--max-memory", "0"}).maxMemory, 0U);
 }
 
 TEST_F(BakeBatch, MemoryIsLimited) {

@@ -58,6 +58,7 @@ struct Running {
   std::size_t job;
   Worker worker;
   Clock::time_point start;
+  std::chrono::milliseconds timeout;  ///< 0: none
 };
 
 class Batch {
@@ -71,7 +72,6 @@ class Batch {
     const unsigned threads = std::clamp(options.jobs == 0 ? cores : options.jobs, 1U, kMaxJobs);
     workers_ = std::min<std::size_t>(threads, jobs.size());
     limits_.threads = std::max(1U, threads / static_cast<unsigned>(std::max<std::size_t>(workers_, 1)));
-    limits_.maxMemoryBytes = options.maxMemoryBytes ? *options.maxMemoryBytes : memoryShare();
     outcome_.jobs.resize(jobs.size());
   }
 
@@ -115,7 +115,12 @@ class Batch {
   void startWorkers() {
     while (running_.size() < workers_ && next_ < jobs_.size()) {
       try {
-        running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits_), Clock::now()});
+        const std::uint64_t bytes = bytesOf(jobs_[next_]);
+        WorkerLimits limits = limits_;
+        limits.maxMemoryBytes =
+            options_.maxMemoryBytes ? *options_.maxMemoryBytes : defaultMemory(bytes, memoryShare());
+        const std::chrono::milliseconds timeout = options_.timeout ? *options_.timeout : defaultTimeout(bytes);
+        running_.emplace_back(Running{next_, Worker(jobs_[next_], settings_, limits), Clock::now(), timeout});
       } catch (const Error&) {
         if (running_.empty()) throw;
         return;  // out of processes or pipes; try again when a running worker has ended
@@ -138,9 +143,9 @@ class Batch {
         running = running_.erase(running);
         continue;
       }
-      if (options_.timeout.count() > 0 && Clock::now() - running->start > options_.timeout)
+      if (running->timeout.count() > 0 && Clock::now() - running->start > running->timeout)
         running->worker.kill(fmt::format("took longer than the {:g} s of --timeout",
-                                         static_cast<double>(options_.timeout.count()) / 1000.0));
+                                         static_cast<double>(running->timeout.count()) / 1000.0));
       ++running;
     }
     showProgress();
@@ -197,6 +202,19 @@ class Batch {
 };
 
 }  // namespace
+
+std::chrono::milliseconds defaultTimeout(std::uint64_t inputBytes) {
+  constexpr std::uint64_t kFree = 600;      // seconds
+  constexpr std::uint64_t kPerMiB = 60;     // seconds
+  constexpr std::uint64_t kMost = 500'000;  // seconds
+  return std::chrono::seconds(std::min(kFree + kPerMiB * (inputBytes >> 20U), kMost));
+}
+
+std::uint64_t defaultMemory(std::uint64_t inputBytes, std::uint64_t share) {
+  constexpr std::uint64_t kFree = 4ULL << 30U;
+  constexpr std::uint64_t kPerByte = 64;
+  return std::min(share, kFree + kPerByte * std::min(inputBytes, share));
+}
 
 BatchOutcome runBatch(std::span<const BakeJob> jobs, const JobSettings& settings, const BatchOptions& options) {
   return Batch(jobs, settings, options).run();

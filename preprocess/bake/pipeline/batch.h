@@ -12,12 +12,18 @@
 namespace jalousie::bake {
 
 struct BatchOptions {
-  unsigned jobs = 0;                            ///< threads in all, over all workers; 0: all cores
-  std::optional<std::uint64_t> maxMemoryBytes;  ///< of one worker, 0 for no limit; absent: the machine's, shared fairly
-  std::chrono::milliseconds timeout{0};         ///< of one job; 0: none
+  unsigned jobs = 0;                                 ///< threads in all, over all workers; 0: all cores
+  std::optional<std::uint64_t> maxMemoryBytes;       ///< of one worker, 0 for no limit; absent: defaultMemory
+  std::optional<std::chrono::milliseconds> timeout;  ///< of one job, 0 for no limit; absent: defaultTimeout
   bool quiet = false;
   bool lines = false;  ///< print a line on standard error for each finished job if no progress can be drawn
 };
+
+/// The time that a job may take if the options name none: far more than any honest file of this size needs.
+/// @param inputBytes  of all inputs of the job together
+std::chrono::milliseconds defaultTimeout(std::uint64_t inputBytes);
+/// The memory that a job may take if the options name no limit, bytes. @param share  of the machine's for one worker
+std::uint64_t defaultMemory(std::uint64_t inputBytes, std::uint64_t share);
 
 /// The outcome of one job. `failure` is set if `result.status` is kFailed.
 struct JobOutcome {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <string>
@@ -122,7 +123,7 @@ void addFileOptions(CLI::App& program, CommandLine& result) {
 }
 
 /// Threads, cache and limits.
-void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
+void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>& timeout) {
   program.option_defaults()->group(kRunning);
   program
       .add_option("-j,--jobs", result.jobs,
@@ -142,12 +143,14 @@ void addRunOptions(CLI::App& program, CommandLine& result, double& timeout) {
   program
       .add_option("--max-memory", result.maxMemory,
                   "Limit the memory of one bake, bytes or with K, M, G; 0: no limit "
-                  "[90 % of the machine's, shared by the jobs]")
+                  "[4G and 64 bytes for each byte of input; at most 90 % of the machine's, shared by the jobs]")
       ->transform(bytesWithUnit())
       ->type_name("SIZE");
-  program.add_option("--timeout", timeout, "Stop the bake of a file after this time, seconds [none]")
-      ->check(CLI::Range(0.001, 1e6).description(""))
-      ->type_name(rangeText(0.001, 1e6));
+  program
+      .add_option("--timeout", timeout,
+                  "Stop the bake of a file after this time, seconds; 0: no limit [600 and 60 for each MiB of input]")
+      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->type_name(rangeText(0.0, 1e6));
   program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
 }
 
@@ -293,7 +296,7 @@ bool isBatch(const CommandLine& command) {
 std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   if (argc > 1 && std::string_view(argv[1]) == "inspect") return parseInspect(argc - 1, argv + 1);
   CommandLine result;
-  double timeout = 0.0;
+  std::optional<double> timeout;
   CLI::App program{"Bakes meshes into glTF with discrete LOD chains and a measured error per level", "jalousie-bake"};
   program.get_formatter()->column_width(32);
   program.set_version_flag("--version", kVersion);
@@ -306,7 +309,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   program.footer(kExamples);
   if (!cli::parse(program, argc, argv)) return std::nullopt;
   checkOptions(program, result);
-  result.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(timeout * 1000.0));
+  if (timeout) result.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(*timeout * 1000.0)));
   result.chosen = chosenOptions(program, kBaking);
   limitDemands(result.maxMemory.value_or(0), result.bake.limits);
   return result;

@@ -23,9 +23,9 @@ struct CommandLine {
   std::filesystem::path depfile;  ///< empty: none
   std::filesystem::path cache;    ///< empty: none
   std::uint64_t cacheLimit = 10ULL << 30U;
-  std::optional<std::uint64_t> maxMemory;  ///< bytes of one bake, 0 for no limit
-  std::chrono::milliseconds timeout{0};    ///< of one bake; 0: none
-  unsigned jobs = 0;                       ///< 0: all cores
+  std::optional<std::uint64_t> maxMemory;            ///< bytes of one bake, 0 for no limit; absent: by its size
+  std::optional<std::chrono::milliseconds> timeout;  ///< of one bake, 0 for no limit; absent: by its size
+  unsigned jobs = 0;                                 ///< 0: all cores
   bool quantize = false;
   bool compress = false;
   bool quiet = false;
