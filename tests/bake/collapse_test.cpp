@@ -12,6 +12,9 @@
 #include "bake/mesh/hard_edges.h"
 #include "bake/mesh/loose_parts.h"
 #include "bake/simplify/chain.h"
+#include "bake/simplify/collapse_checks.h"
+#include "bake/simplify/collapse_error.h"
+#include "bake/simplify/collapse_topology.h"
 #include "bake/simplify/measure.h"
 #include "bake/simplify/refit.h"
 #include "core/random.h"
@@ -264,6 +267,55 @@ TEST(Collapse, CubeKeepsItsHardEdges) {
   const Deviation deviation = DeviationMeter(mesh, {2000, 2000}).measure(level);
   EXPECT_LT(deviation.twoSided.max, 1e-4);
   EXPECT_LT(deviation.normalDegrees.mean, 0.5);
+}
+
+/// A flat square without a quarter of its cells: its outlines turn inwards, where a collapse can fold triangles.
+WedgeMesh flatWithHoles(std::uint32_t n, std::uint32_t seed) {
+  Random random(seed);
+  asset::Primitive sheet = test::grid(n);
+  std::vector<std::uint32_t> kept;
+  for (std::size_t cell = 0; cell < sheet.indices.size(); cell += 6) {
+    if (random.below(4) == 0) continue;
+    kept.insert(kept.end(), sheet.indices.begin() + static_cast<std::ptrdiff_t>(cell),
+                sheet.indices.begin() + static_cast<std::ptrdiff_t>(cell + 6));
+  }
+  sheet.indices = kept;
+  return test::wedges(sheet);
+}
+
+TEST(Collapse, NoTriangleOfAFlatSheetTurnsOver) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const WedgeMesh mesh = flatWithHoles(20, seed);
+    const WedgeMesh level = collapsed(mesh, mesh.triangles() / 6);
+    EXPECT_LT(level.triangles(), mesh.triangles() / 2);
+    for (std::uint32_t t = 0; t < level.triangles(); ++t) {
+      const glm::vec3 a = level.positions[level.vertexAt(3 * std::size_t{t})];
+      const glm::vec3 b = level.positions[level.vertexAt(3 * std::size_t{t} + 1)];
+      const glm::vec3 c = level.positions[level.vertexAt(3 * std::size_t{t} + 2)];
+      EXPECT_GT(glm::cross(b - a, c - a).z, -1e-6F) << "seed " << seed << ", triangle " << t;
+    }
+  }
+}
+
+TEST(Collapse, TrianglesThatStayMayNeitherTurnOverNorTurnFarNorVanish) {
+  const WedgeMesh mesh = test::wedges(test::grid(2));
+  const std::vector<glm::dvec3> positions(mesh.positions.begin(), mesh.positions.end());
+  const EdgeTable edges = findEdges(mesh);
+  const CollapseError error(mesh, edges, {}, positions);
+  CollapseTopology topology(vertexIndices(mesh), mesh.corners, mesh.positions.size());
+  CollapseChecks checks(mesh, positions, error, topology);
+  const auto at = [&](double x, double y) {
+    const auto found = std::find(positions.begin(), positions.end(), glm::dvec3(x, y, 0.0));
+    return static_cast<std::uint32_t>(found - positions.begin());
+  };
+  const std::uint32_t u = at(0.5, 0.5);
+  const std::uint32_t v = at(1.0, 0.5);
+  EXPECT_TRUE(checks.keepsFacing(u, v, {0.5, 0.5, 0.0}));
+  EXPECT_TRUE(checks.keepsFacing(u, v, {0.7, 0.5, 0.05}));
+  EXPECT_FALSE(checks.keepsFacing(u, v, {-0.3, 0.5, 0.0})) << "triangles left of u turn over";
+  EXPECT_FALSE(checks.keepsFacing(u, v, {0.5, 1.4, 0.0})) << "triangles above turn over";
+  EXPECT_FALSE(checks.keepsFacing(u, v, {0.5, 0.5, 9.0})) << "triangles turn by almost 90 degrees";
+  EXPECT_FALSE(checks.keepsFacing(u, v, {0.0, 0.5, 0.0})) << "a triangle left of u loses its area";
 }
 
 TEST(Refit, BringsALevelNearerAndTurnsItsNormalsRight) {
