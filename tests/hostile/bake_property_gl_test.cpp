@@ -68,7 +68,8 @@ class Property {
       const auto before =
           isGltf(input) ? errors.at(input.string()).get<std::set<std::string>>() : std::set<std::string>();
       for (const std::string& code : errors.at(output.string()).get<std::set<std::string>>())
-        EXPECT_TRUE(before.contains(code)) << input.filename() << ": the result has " << code;
+        EXPECT_TRUE(before.contains(code) || (code.starts_with("ACCESSOR_") && hidesValues(before)))
+            << input.filename() << ": the result has " << code;
     }
   }
 
@@ -76,6 +77,13 @@ class Property {
 
  private:
   static bool isGltf(const fs::path& file) { return file.extension() == ".glb" || file.extension() == ".gltf"; }
+
+  /// Whether the validator did not read all accessors of a file, because their place or layout was wrong. The baker
+  /// writes them to a right place, where the validator then sees what they hold.
+  static bool hidesValues(const std::set<std::string>& errors) {
+    return errors.contains("MESH_PRIMITIVE_ACCESSOR_WITHOUT_BYTESTRIDE") ||
+           errors.contains("ACCESSOR_TOTAL_OFFSET_ALIGNMENT") || errors.contains("ARRAY_TYPE_MISMATCH");
+  }
 
   static void expectRead(const test::ProgramResult& result, const std::string& name, const char* program) {
     EXPECT_EQ(result.exitCode, 0) << name << ": " << program << ": " << result.standardError;
