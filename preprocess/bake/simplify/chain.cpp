@@ -31,7 +31,8 @@ class LevelMaker {
     collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
   }
 
-  /// Collapses to a level of at most `target` triangles if the collapse allows it. @param vertexMap  from the finest mesh
+  /// Collapses to a level of at most `target` triangles if the collapse allows it.
+  /// @param vertexMap  from the finest mesh
   WedgeMesh make(std::uint32_t target, bool exactly, std::vector<std::uint32_t>& vertexMap) {
     if (!collapser_) {
       corners_ = exactly ? draftExactly(target) : draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
