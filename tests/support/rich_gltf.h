@@ -1,6 +1,7 @@
 // A glTF document with everything the readers know, made by code, for tests that damage it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
