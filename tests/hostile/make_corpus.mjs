@@ -1,11 +1,13 @@
-// Writes a corpus of broken files for jalousie-bake: node make_corpus.mjs OUT_DIR
+// Writes a corpus of broken files for all programs: node make_corpus.mjs OUT_DIR
 // Every case has a folder OUT_DIR/NAME with its input and side files, and is broken in one way; OUT_DIR/index.json lists
-// { name, input, code, about } with the exit code that the program owes: 3 absent, 4 unreadable, 5 malformed,
-// 6 unsupported, 7 over a limit, 0 odd but valid. OUT_DIR/outside holds bait that no case may open.
+// { name, input, code, reason, runtime, about }: the exit code that jalousie-bake owes (3 absent, 4 unreadable,
+// 5 malformed, 6 unsupported, 7 over a limit, 0 odd but valid) and a part of its message (reasons.mjs; null where the
+// code is 0). `runtime` has code and reason of the commands that draw. OUT_DIR/outside holds bait that no case may open.
 // The same bytes in every run; only absolute symbolic links contain OUT_DIR.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
+import { reasonsOf, runtimeOf } from './reasons.mjs';
 
 if (process.argv.length !== 3) {
   console.error('usage: node make_corpus.mjs OUT_DIR');
@@ -139,6 +141,7 @@ function changed({ json, bin }, changes) {
   return { json: copy, bin };
 }
 
+const asIs = (content) => content;
 const asGlb = (made) => ({ 'model.glb': glb(made) });
 const damaged = (base) => (changes) => asGlb(changed(base, changes));
 const asGltf = (content) => ({ 'model.gltf': content });
@@ -173,9 +176,9 @@ function png({ width = 1, height = 1, depth = 8, color = 0 } = {}) {
     pngChunk('IDAT', pixel), pngChunk('IEND', bytes())]);
 }
 
-/** A JPEG up to its frame header, whose sides are given. */
+/** A JPEG with a frame header, whose sides are given, and the header of a scan without data. */
 const jpeg = (width, height) => bytes(0xFF, 0xD8, 0xFF, 0xC0, 0, 11, 8, height >> 8, height & 255, width >> 8, width & 255,
-  1, 1, 0x11, 0, 0xFF, 0xD9);
+  1, 1, 0x11, 0, 0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0, 0xFF, 0xD9);
 
 /** The triangle with a texture. */
 function textured(image) {
@@ -474,6 +477,7 @@ group('index', 5, asGlb, [
   ['u32-2-31', 'a u32 index is 2^31', indexed(U32, [0, 1, 0x80000000])],
   ['u32-2-32', 'a u32 index is 2^32-1', indexed(U32, [0, 1, 0xFFFFFFFF])],
   ['skinned', 'an index of a skinned mesh is out of range', indexed(U16, [0, 1, 300], { skinned: true })],
+  ['skinned-3', 'an index of a skinned mesh is one too large', indexed(U16, [0, 1, 3], { skinned: true })],
   ['points', 'an index of points is out of range', indexed(U16, [0, 1, 300], { mode: 0 })],
   ['lines', 'an index of lines is out of range', indexed(U8, [0, 200], { mode: 1 })],
   ['strip', 'an index of a triangle strip is out of range', indexed(U16, [0, 1, 2, 300], { mode: 5 })],
@@ -522,6 +526,14 @@ group('nodes', 5, inTriangle, [
   ['scale-strings', 'a scale is of strings', { '/nodes/0/scale': ['1', '1', '1'] }],
 ]);
 
+group('transform', 0, inTriangle, [
+  ['translation-1e39', 'a translation is beyond 32-bit numbers', { '/nodes/0/translation': [1e39, 0, 0] }],
+  ['scale-1e300-twice', 'the product of two scales is infinite',
+    { '/nodes': [{ scale: [1e300, 1e300, 1e300], children: [1] }, { mesh: 0, scale: [1e300, 1e300, 1e300] }] }],
+  ['matrix-1e308', 'a matrix is beyond 32-bit numbers', { '/nodes/0/matrix': Array(16).fill(1e308) }],
+  ['scale-zero', 'a scale is zero', { '/nodes/0/scale': [0, 0, 0] }],
+]);
+
 // MSFT_lod, EXT_mesh_gpu_instancing ----------------------------------------------
 
 group('lod', 5, (lod) => inRich({ '/nodes/0/extensions/MSFT_lod': lod }), [
@@ -560,6 +572,14 @@ group('instancing', 5, inRich, [
     ...Object.fromEntries([6, 7, 8, 9].map((n) => [`/nodes/${n}`,
       { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION: 10 } } } }])),
   }, 7],
+]);
+
+/** The instances' translations hold `values`. */
+const translated = (...values) => asGlb({ json: rich.json,
+  bin: over(rich.bin, rich.json.bufferViews[RICH.offset].byteOffset, f32(...values)) });
+group('instancing', 0, asIs, [
+  ['translation-infinite', 'the translation of an instance is infinite', translated(0, 0, 0, Infinity, 0, 0)],
+  ['translation-nan', 'the translation of an instance is NaN', translated(NaN, 0, 0, 5, 0, 0)],
 ]);
 
 // EXT_meshopt_compression ----------------------------------------------------------
@@ -612,6 +632,7 @@ group('meshopt', 5, damaged(vertices()), [
   ['buffer-9', 'the buffer of the stream is out of range', { [`${OPTIONS}/buffer`]: 9 }],
   ['offset-outside', 'the stream starts after its buffer', { [`${OPTIONS}/byteOffset`]: 5000 }],
   ['length-outside', 'the stream ends after its buffer', { [`${OPTIONS}/byteLength`]: 5000 }],
+  ['length-1-outside', 'the stream ends one byte after its buffer', { [`${OPTIONS}/byteLength`]: padded(STREAM).length + 1 }],
   ['length-wraps', 'offset and length of the stream wrap at 2^64', { [`${OPTIONS}/byteLength`]: 'raw:18446744073709551604' }],
   ['truncated', 'the stream lacks its last 8 bytes', { [`${OPTIONS}/byteLength`]: STREAM.length - 8 }],
   ['filter-unknown', 'the filter is GAUSS', { [`${OPTIONS}/filter`]: 'GAUSS' }],
@@ -660,6 +681,17 @@ group('camera', 5, inRich, [
   ['yfov-string', 'yfov is a string', { '/cameras/0/perspective/yfov': '1' }],
 ]);
 
+group('camera', 5, inRich, [
+  ['yfov-pi', 'the view is half a turn high', { '/cameras/0/perspective/yfov': 3.2 }, 0],
+  ['yfov-zero', 'the view is flat', { '/cameras/0/perspective/yfov': 0 }],
+  ['yfov-tiny', 'the view is 1e-30 high', { '/cameras/0/perspective/yfov': 1e-30 }, 0],
+  ['znear-zero', 'the near plane goes through the eye', { '/cameras/0/perspective/znear': 0 }],
+  ['znear-huge', 'the near plane is beyond 32-bit numbers', { '/cameras/0/perspective/znear': 1e300 }, 0],
+  ['zfar-before-znear', 'the far plane lies before the near plane', { '/cameras/0/perspective/zfar': 0.01 }],
+  ['xmag-zero', 'an orthographic view has no width',
+    { '/cameras/0': { type: 'orthographic', orthographic: { xmag: 0, ymag: 1, znear: 0, zfar: 1 } } }],
+]);
+
 const PBR = '/materials/0/pbrMetallicRoughness';
 group('material', 5, inRich, [
   ['base-color-texture-9', 'a texture is out of range', { [`${PBR}/baseColorTexture/index`]: 9 }],
@@ -677,6 +709,11 @@ group('material', 5, inRich, [
   ['image-view-99', 'an image names a buffer view out of range', { '/images/0/bufferView': 99 }],
   ['image-without-source', 'an image has neither URI nor view', { '/images/0': {} }],
   ['image-two-sources', 'an image has a URI and a view', { '/images/0/uri': dataUri(png(), 'image/png') }],
+  ['alpha-cutoff-1e300', 'alphaCutoff is beyond 32-bit numbers',
+    { '/materials/0/alphaMode': 'MASK', '/materials/0/alphaCutoff': 1e300 }, 0],
+  ['alpha-cutoff-negative', 'alphaCutoff is negative', { '/materials/0/alphaMode': 'MASK', '/materials/0/alphaCutoff': -1 }, 0],
+  ['base-color-1e308', 'baseColorFactor is beyond 32-bit numbers', { [`${PBR}/baseColorFactor`]: [1e308, -1e308, 1, 1] }, 0],
+  ['base-color-nan', 'baseColorFactor is NaN', { [`${PBR}/baseColorFactor`]: ['raw:NaN', 1, 1, 1] }],
 ]);
 
 // Images ---------------------------------------------------------------------------
@@ -769,7 +806,6 @@ group('data-uri', 5, (uri) => withBuffer([uri]), [
 
 // The input itself -------------------------------------------------------------------
 
-const asIs = (content) => content;
 group('input', 4, asIs, [
   ['folder-glb', 'the input is a folder without files', { 'model.glb': folder }, 3],
   ['folder-ply', 'the input is a folder without files', { 'model.ply': folder }, 3],
@@ -939,6 +975,14 @@ group('valid', 0, asIs, [
   ['glb-trailing-bytes', 'bytes follow the declared length', file(Buffer.concat([GOOD, junk(64)]))],
   ['glb-without-bin', 'the buffer is a data URI and there is no BIN chunk', asGlb({ json: withData })],
   ['glb-unknown-chunk', 'an unknown chunk follows BIN', file(container([...CHUNKS, ['XTRA', u32(7)]]))],
+  ['scene-absent', 'no scene is named: the first one counts', inTriangle({ '/scene': undefined })],
+  ['scenes-absent', 'there are nodes and no scenes', inTriangle({ '/scene': undefined, '/scenes': undefined })],
+  ['scene-empty', 'the scene has no nodes', inTriangle({ '/scenes/0/nodes': undefined })],
+  ['triangles-none', 'the only primitive has points', inTriangle({ '/meshes/0/primitives/0/mode': 0 })],
+  ['animation-one-key', 'an animation has one key', inRich({
+    '/accessors/10': { bufferView: RICH.time, componentType: FLOAT, type: 'SCALAR', count: 1 },
+    '/accessors/11': { bufferView: RICH.rotation, componentType: FLOAT, type: 'VEC4', count: 1 },
+    '/animations/0/samplers/0': { input: 10, output: 11 }, '/animations/0/channels/0/target/node': 4 })],
   ['extension-unknown', 'an unknown extension is used but not required', inTriangle({ '/extensionsUsed': ['ACME_mesh'] })],
   ['sparse-without-view', 'all positions are in the sparse block', asGlb(sparse)],
   ['name-with-space', 'the file name has a percent-encoded space',
@@ -988,6 +1032,9 @@ for (const { name, files: content } of [{ name: 'outside', files: bait }, ...cas
     if (bytesOrKind !== absent) write(join(out, name, path), bytesOrKind);
   }
 }
-const index = cases.map(({ name, files: content, code, about }) => ({ name, input: `${name}/${Object.keys(content)[0]}`, code, about }));
+const reasons = reasonsOf(cases);
+const index = cases.map(({ name, files: content, code, about }) =>
+  ({ name, input: `${name}/${Object.keys(content)[0]}`, code, reason: reasons.get(name) ?? null,
+    runtime: runtimeOf(name, code, reasons), about }));
 writeFileSync(join(out, 'index.json'), `[\n${index.map((entry) => `  ${JSON.stringify(entry)}`).join(',\n')}\n]\n`);
 console.log(`${cases.length} cases, ${cases.filter(({ code }) => code !== 0).length} of them broken`);
