@@ -48,6 +48,9 @@ glm::vec3 hermite(const std::vector<KeyPose>& keys, std::size_t k, float frame, 
 }
 
 asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWorld) {
+  if (sceneWorld.empty())
+    throw Error(ErrorCode::kUnsupported, "the scene is empty, there is nothing to turn around; give --key",
+                options.scene);
   const glm::vec3 center = sceneWorld.center();
   const float radius = std::max(0.5F * sceneWorld.diagonal(), 1e-6F);
   const float distance = options.distance * radius / std::sin(0.5F * glm::radians(options.fovDegrees));
