@@ -206,6 +206,16 @@ TEST(Accessor, RangeArithmeticDoesNotWrap) {
   EXPECT_EQ(codeOf([&] { readScalars(model, accessor, kHuge); }), ErrorCode::kMalformed);
 }
 
+TEST(Accessor, TheLastElementOfAStrideEndsInItsView) {
+  for (const std::size_t floats : {6U, 7U}) {  // the second of two elements starts at 16 bytes and ends at 28
+    tinygltf::Model model;
+    const int view = addView<float>(model, std::vector<float>(floats, 1.0F), 16);
+    const int accessor = addAccessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 2);
+    EXPECT_EQ(codeOf([&] { readVec3(model, accessor, kAny); }),
+              floats == 6 ? std::optional(ErrorCode::kMalformed) : std::nullopt);
+  }
+}
+
 TEST(Accessor, TooManyElementsHitTheLimit) {
   tinygltf::Model model;
   const int accessor = addAccessor(model, -1, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0xFFFFFFFFU);

@@ -82,6 +82,19 @@ TEST(GltfHostile, DeepNestingIsRefusedBeforeParsing) {
   EXPECT_EQ(load(objects), ErrorCode::kLimit);
 }
 
+TEST(GltfHostile, NestingMayReachTheLimit) {
+  for (const std::size_t depth : {Limits{}.maxJsonDepth, Limits{}.maxJsonDepth + 1}) {
+    json document = validDocument();
+    json nested = json::array();
+    for (std::size_t level = 2; level < depth; ++level)  // the document is the first level
+      nested = json::array({nested});
+    document["extras"] = nested;
+    const std::optional<ErrorCode> expected =
+        depth > Limits{}.maxJsonDepth ? std::optional(ErrorCode::kLimit) : std::nullopt;
+    EXPECT_EQ(load(glb(document.dump(), kTriangle)), expected) << depth;
+  }
+}
+
 TEST(GltfHostile, BracketsInStringsAreNoNesting) {
   json document = validDocument();
   document["extras"] = std::string(1000, '[') + "\\\"" + std::string(1000, '{');

@@ -193,6 +193,36 @@ TEST(SceneFile, MaterialsAndTheirImages) {
   EXPECT_FALSE(scene.materials[1].image.has_value());
 }
 
+TEST(SceneFile, AllPicturesTogetherHaveALimit) {
+  tinygltf::Model model = oneTriangle();
+  const std::vector<std::byte> png = encodePng({4, 4, std::vector<std::uint8_t>(64, 200)});
+  for (int i = 0; i < 3; ++i) {
+    tinygltf::Image image;
+    image.as_is = true;
+    const auto* first = reinterpret_cast<const unsigned char*>(png.data());
+    image.image.assign(first, first + png.size());
+    model.images.push_back(image);
+    tinygltf::Texture texture;
+    texture.source = i;
+    model.textures.push_back(texture);
+    tinygltf::Material material;
+    material.pbrMetallicRoughness.baseColorTexture.index = i;
+    model.materials.push_back(material);
+  }
+  Limits limits;
+  limits.maxFileBytes = 3 * 64;
+  EXPECT_EQ(readScene(model, "three.glb", limits).images.size(), 3U);
+  limits.maxFileBytes = 3 * 64 - 1;
+  try {
+    readScene(model, "three.glb", limits);
+    FAIL() << "191 bytes hold no three pictures of 64";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kLimit);
+    EXPECT_NE(std::string(error.what()).find("the images are too large together"), std::string::npos) << error.what();
+    EXPECT_EQ(error.file(), "three.glb");
+  }
+}
+
 /// A camera on node 1 below node 0, animated with the given interpolation.
 tinygltf::Model animatedCamera(const std::string& interpolation, const std::vector<glm::vec3>& outputs) {
   tinygltf::Model model = oneTriangle();

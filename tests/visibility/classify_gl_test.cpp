@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 #include <vector>
 
@@ -24,6 +26,7 @@
 #include "visibility/classify_reference.h"
 #include "visibility/kernel_input.h"
 #include "visibility/lod_policy.h"
+#include "visibility/touching_boxes.h"
 #include "visibility/visibility_pass.h"
 
 namespace jalousie::visibility {
@@ -232,6 +235,41 @@ TEST_F(ClassifyGl, AdversarialBoxes) {
   for (const ScreenSize size : kSizes)
     compareClassification(scene,
                           makeView(scene, scene::lookAt(eye, {0, 0, 0}, {glm::vec3(-1), glm::vec3(1)}), size, 3.0F));
+}
+
+TEST_F(ClassifyGl, WhatTouchesAPlaneIsKept) {
+  Random random(29);
+  std::array<int, 6> needed{};  // per plane: boxes that only the twin's margin keeps
+  for (int i = 0; i < 20; ++i) {
+    asset::SceneFile file = test::sphereChain(1);
+    const SceneData shape = scene::buildScene(file);
+    const Aabb box{glm::vec3(shape.chains[0].boundsMinObject), glm::vec3(shape.chains[0].boundsMaxObject)};
+    const glm::vec3 eye(random.uniform(-1e4F, 1e4F), random.uniform(-1e3F, 1e3F), random.uniform(-1e4F, 1e4F));
+    const glm::vec3 start = eye + glm::vec3(random.uniform(-9, 9), 1, 10);
+    scene::Camera camera = scene::lookAt(eye, start, {start - glm::vec3(1), start + glm::vec3(1)});
+    camera.zNear = 0.1F;
+    camera.zFar = 100.0F;
+    const gpu::CullView view = makeView(shape, camera, {640, 360}, 3.0F);
+    const std::vector<glm::mat4> worlds =
+        touchingBoxes(view.clipFromWorld, start, box, 300, random, scene::makeTransform);
+    for (const glm::mat4& world : worlds)
+      file.instances.push_back({0, world});
+    const SceneData scene = scene::buildScene(file);
+    gpu::CullView whole = view;
+    whole.objectCount = static_cast<gpu::uint>(scene.objects.size());
+    const std::vector<ObjectDecision> actual =
+        runKernel(scene, whole, std::vector<LastFrame>(scene.objects.size()), nullptr);
+    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+      const gpu::Transform& transform = scene.transforms[scene.objects[k].transform];
+      const std::array<double, 6> inside = cornersInside(view.clipFromWorld, transform, box);
+      if (!touchesFrustum(inside)) continue;
+      ASSERT_NE(actual[k].state.verdict, gpu::kVerdictOutside) << "object " << k;
+      const auto plane = static_cast<std::size_t>(std::min_element(inside.begin(), inside.end()) - inside.begin());
+      if (boxOnScreen(transform, box, view.clipFromWorld, {640, 360}, 0.0F).outside) ++needed[plane];
+    }
+  }
+  for (std::size_t plane = 0; plane < needed.size(); ++plane)
+    EXPECT_GT(needed[plane], 0) << "no box tells whether plane " << plane << " has a margin";
 }
 
 TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {

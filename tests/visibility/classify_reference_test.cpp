@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <vector>
 
 #include "core/random.h"
 #include "policy/frame_policy.h"
 #include "scene/camera.h"
 #include "scene/scene_data.h"
+#include "visibility/touching_boxes.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -140,6 +143,29 @@ TEST(Classify, BoundsHoldFarFromTheOriginWhereRoundingIsLarge) {
       ASSERT_LE(c.z / c.w, box.nearestDepth);
     }
   }
+}
+
+TEST(Classify, WhatTouchesAPlaneIsKept) {
+  // Far from the origin, where clip space is a sum of large numbers that cancel.
+  Random random(23);
+  std::array<int, 6> needed{};  // per plane: boxes that only the margin keeps
+  for (int i = 0; i < 100; ++i) {
+    const glm::vec3 origin(random.uniform(-1e4F, 1e4F), random.uniform(-1e3F, 1e3F), random.uniform(-1e4F, 1e4F));
+    scene::Camera camera = cameraAt({0, 0, 0});
+    camera.worldFromCamera = glm::translate(glm::mat4(1.0F), origin) *
+                             glm::rotate(glm::mat4(1.0F), random.uniform(0, 6), glm::vec3(0, 1, 0));
+    const glm::mat4 clip = scene::clipFromWorld(camera, kAspect);
+    const glm::vec3 start(camera.worldFromCamera * glm::vec4(0, 0, -10, 1));
+    const std::vector<glm::mat4> worlds = touchingBoxes(clip, start, kUnitBox, 60, random, scene::makeTransform);
+    for (std::size_t k = 0; k < worlds.size(); ++k) {
+      const gpu::Transform transform = scene::makeTransform(worlds[k]);
+      if (!touchesFrustum(cornersInside(clip, transform, kUnitBox))) continue;
+      ASSERT_FALSE(boxOnScreen(transform, kUnitBox, clip, kViewport).outside) << "plane " << k % 6;
+      if (boxOnScreen(transform, kUnitBox, clip, kViewport, 0.0F).outside) ++needed[k % 6];
+    }
+  }
+  for (std::size_t plane = 0; plane < needed.size(); ++plane)
+    EXPECT_GT(needed[plane], 0) << "no box tells whether plane " << plane << " has a margin";
 }
 
 TEST(Classify, LargestScaleIsExactForOrthogonalAxesAndNeverTooSmall) {
