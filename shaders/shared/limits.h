@@ -74,6 +74,8 @@ const float kLeastImportance = 1.0 / 16.0;
 
 /// Finest tessellation level (thesis 4.1.3). A patch then has 3 * 20^2 / 2 = 600 triangles.
 const uint kMaxTessellationLevel = 20u;
+/// Array textures that the base colours of a scene are sorted into by size, at most.
+const uint kTextureClasses = 8u;
 /// Most levels one chain may have. State and colour scales assume no more.
 const uint kMaxLods = 32u;
 /// Bins of a chain: per level, plain and mirrored instances.
@@ -139,7 +141,7 @@ const uint kBindingListView = 2u;
 const uint kBindingReduceView = 3u;
 
 // Texture and image units.
-const uint kUnitBaseColor = 0u;
+const uint kUnitBaseColor = 8u;  // and the next ones: [kTextureClasses]
 const uint kUnitOcclusionMap = 1u;
 const uint kUnitDepthPyramid = 2u;
 const uint kUnitDepth = 3u;

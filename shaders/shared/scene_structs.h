@@ -80,7 +80,7 @@ struct Material {
   uint layer;      // of the base colour array texture, with kMaterialTextured
   uint flags;      // kMaterial...
   float alphaCutoff;
-  uint reserved0;
+  uint textureClass;  // which array texture, below kTextureClasses
 };
 JAL_ASSERT_SIZE(Material, 32)
 

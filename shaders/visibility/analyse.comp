@@ -11,6 +11,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 #include "lib/buffers.glsl"
 #include "lib/overlap.glsl"
 #include "lib/dct.glsl"
@@ -219,7 +220,7 @@ void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectStat
 }
 
 void main() {
-  uint id = gl_GlobalInvocationID.x;
+  uint id = threadNumber();
   if (id >= cullView.objectCount || states[id].verdict != kVerdictPending) return;
   ScreenBox box = boxes[id];
   Probe probe = probeOf(box);

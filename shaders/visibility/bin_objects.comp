@@ -9,6 +9,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 #include "lib/list_buffers.glsl"
 #include "lib/lod.glsl"
 
@@ -54,7 +55,8 @@ uint fadingBinOf(uint id) {
 uint slotOf(uint bin, uint rank) { return bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin; }
 
 void main() {
-  Tile tile = tiles[gl_WorkGroupID.x];
+  if (groupNumber() >= listView.tileCount) return;
+  Tile tile = tiles[groupNumber()];
   Chain chain = chains[tile.chain];
   uint lane = gl_LocalInvocationID.x;
   uint id = tile.firstObject + lane;

@@ -7,6 +7,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 #include "lib/transform.glsl"
 #include "lib/frustum.glsl"
 #include "lib/overlap.glsl"
@@ -117,7 +118,7 @@ ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance)
 }
 
 void main() {
-  uint id = gl_GlobalInvocationID.x;
+  uint id = threadNumber();
   if (id >= cullView.objectCount) return;
   Object object = objects[id];
   Transform transform = transforms[object.transform];

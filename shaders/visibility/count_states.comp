@@ -7,6 +7,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
@@ -52,7 +53,8 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   groupCounters[lane] = 0u;
   barrier();
-  if (gl_GlobalInvocationID.x < cullView.objectCount) countObject(gl_GlobalInvocationID.x);
+  uint id = threadNumber();
+  if (id < cullView.objectCount) countObject(id);
   barrier();
   if (lane < kCounterCount && groupCounters[lane] > 0u) atomicAdd(counters[lane], groupCounters[lane]);
 }

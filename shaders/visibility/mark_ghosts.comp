@@ -6,6 +6,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
@@ -18,7 +19,7 @@ layout(std430, binding = kBindingGhostStates) writeonly buffer GhostStateBlock {
 layout(std430, binding = kBindingGhostMarks) writeonly buffer GhostMarkBlock { uint ghostMarks[]; };
 
 void main() {
-  uint id = gl_GlobalInvocationID.x;
+  uint id = threadNumber();
   if (id >= cullView.objectCount) return;
   uint mark = marks[id];
   uint drawn = mark & (hasTrait(kTraitTwoPhases) ? kMarkEarly | kMarkLate : kMarkLate);

@@ -8,6 +8,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 #include "lib/list_buffers.glsl"
 
 layout(local_size_x = kScanGroupSize) in;
@@ -59,7 +60,9 @@ void main() {
     barrier();  // the next round overwrites sums
   }
 #else
-  uint total = scanBlock(gl_WorkGroupID.x, 0u);
-  if (gl_LocalInvocationID.x == 0u) blockSums[gl_WorkGroupID.x] = total;
+  uint block = groupNumber();
+  if (block * kScanBlock >= listView.entryCount) return;
+  uint total = scanBlock(block, 0u);
+  if (gl_LocalInvocationID.x == 0u) blockSums[block] = total;
 #endif
 }

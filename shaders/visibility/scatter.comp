@@ -7,6 +7,7 @@
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
+#include "lib/groups.glsl"
 #include "lib/list_buffers.glsl"
 #include "lib/offsets.glsl"
 #ifdef JAL_PER_OBJECT
@@ -35,7 +36,8 @@ void place(Tile tile, uint slot, uint entry) {
 }
 
 void main() {
-  Tile tile = tiles[gl_WorkGroupID.x];
+  if (groupNumber() >= listView.tileCount) return;
+  Tile tile = tiles[groupNumber()];
   if (gl_LocalInvocationID.x >= tile.objectCount) return;
   uint id = tile.firstObject + gl_LocalInvocationID.x;
   uint fading = slots[2u * id + 1u];

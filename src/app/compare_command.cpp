@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "app/gl_debug.h"
+#include "app/memory_option.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -50,6 +51,7 @@ void setUp(const CompareOptions& options, Setup& setup) {
   for (const ConfigurationText& text : options.chosen) {
     const RenderOptions render = optionsOf(text);
     compare::Configuration configuration{text.name, text.options, render.frameOptions, render.rendererOptions};
+    configuration.renderer.memory = options.memory;
     if (!render.importance.empty())
       configuration.renderer.importance = &setup.masks.emplace_back(asset::loadImage(render.importance));
     setup.patches = setup.patches || configuration.tessellates();
@@ -146,7 +148,7 @@ nlohmann::ordered_json writeReport(const CompareOptions& options, const compare:
 
 asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile) {
   if (options.path.empty()) return chooseCamera(sceneFile.cameras, options.camera, options.scene);
-  return chooseCamera(asset::readSceneFile(options.path).cameras, options.camera, options.path);
+  return chooseCamera(readWithin(options.path, options.memory, readingNeeds).cameras, options.camera, options.path);
 }
 
 void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) {
@@ -174,13 +176,16 @@ void runSteps(compare::Experiment& experiment, const CompareOptions& options) {
     experiment.runStep();
 }
 
-}  // namespace
-
-int runCompare(const CompareOptions& options) {
+int compareScene(const CompareOptions& options) {
   compare::ReportFolder folder(options.output);
   Setup setup;
   setUp(options, setup);
-  const asset::SceneFile file = asset::readSceneFile(options.scene);
+  const bool pictures = options.reference != "none";
+  const ComparisonSize comparison{setup.configurations.size() + (pictures ? 1 : 0), setup.patches, pictures,
+                                  options.width, options.height};
+  const asset::SceneFile file = readWithin(options.scene, options.memory, [&](const asset::SceneSize& size) {
+    return compareNeeds(size, comparison);
+  });
   const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);
@@ -213,6 +218,14 @@ int runCompare(const CompareOptions& options) {
   printError(fmt::format("jalousie: {}: interrupted after {} of {} steps; the same command with --resume continues",
                          oneLine(options.output.string()), experiment.stepsDone(), experiment.stepCount()));
   return interruptionExitCode();
+}
+
+}  // namespace
+
+int runCompare(const CompareOptions& options) {
+  int result = 0;
+  withFile(options.scene, [&] { result = compareScene(options); });
+  return result;
 }
 
 }  // namespace jalousie::app

@@ -8,6 +8,7 @@
 
 #include "app/configurations.h"
 #include "compare/plan.h"
+#include "core/memory_estimate.h"
 
 namespace CLI {
 class App;
@@ -32,6 +33,7 @@ struct CompareOptions {
   std::uint32_t keep = 6;
   std::uint32_t lead = 8;
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
+  MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
   bool resume = false;
   bool quiet = false;
   bool debug = false;   ///< use an OpenGL debug context; its messages set the exit code

@@ -10,6 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
+#include "app/memory_option.h"
 #include "app/number_option.h"
 #include "app/option_values.h"
 #include "asset/camera_write.h"
@@ -66,16 +67,28 @@ asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWor
   return track;
 }
 
+/// Box of the scene. @param frames  of the path that will be written
+Aabb boundsOf(const RecordOptions& options, std::uint32_t frames) {
+  // Two times, a position and a rotation, as vectors that grow, as glTF accessors and as an encoded file.
+  constexpr std::uint64_t kFrameBytes = 2 * sizeof(float) + sizeof(glm::vec3) + sizeof(glm::quat);
+  const auto needs = [&](const asset::SceneSize& size) {
+    MemoryEstimate estimate = flatNeeds(size);
+    estimate.add(frames, 5 * kFrameBytes, std::to_string(frames) + " frames");
+    return estimate;
+  };
+  return scene::buildScene(readWithin(options.scene, options.memory, needs)).boundsWorld;
+}
+
 }  // namespace
 
 void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera) {
   glm::quat rotation = glm::normalize(glm::quat_cast(glm::mat3(camera.worldFromCamera)));
   if (!track.rotations.empty() && glm::dot(rotation, track.rotations.back()) < 0.0F) rotation = -rotation;
   const float seconds = static_cast<float>(frame) / scene::kPathRate;
-  track.translationTimes.push_back(seconds);
-  track.rotationTimes.push_back(seconds);
-  track.translations.push_back(camera.positionWorld());
-  track.rotations.push_back(rotation);
+  track.translationTimes.edit().push_back(seconds);
+  track.rotationTimes.edit().push_back(seconds);
+  track.translations.edit().push_back(camera.positionWorld());
+  track.rotations.edit().push_back(rotation);
 }
 
 KeyPose parseKey(const std::string& text) {
@@ -150,6 +163,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
         "Distance of the orbit from the scene's centre; times the distance at which the whole scene is just in view");
   orbit("--frames", o.frames, {1, kMostFrames}, "Length of the orbit; frames");
   addNumber(command, "--fov", o.fovDegrees, {1, 170}, "Vertical field of view; degrees");
+  addMemoryOption(command, o.memory);
   command.add_flag("-q,--quiet", o.quiet, "Print no summary");
   command.footer(R"(Examples:
   jalousie record city.glb -o orbit.glb
@@ -172,11 +186,12 @@ void runRecord(const RecordOptions& options) {
     keys.push_back(parseKey(text));
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "--key: the frames must ascend");
-  const scene::SceneData scene = scene::buildScene(asset::readSceneFile(options.scene));
-
-  const std::uint32_t frames =
-      savePath(keys.empty() ? orbitTrack(options, scene.boundsWorld) : splineTrack(keys, scene.boundsWorld),
-               glm::radians(options.fovDegrees), scene.boundsWorld, options.output);
+  std::uint32_t frames = 0;
+  withFile(options.scene, [&] {
+    const Aabb bounds = boundsOf(options, keys.empty() ? options.frames : keys.back().frame - keys.front().frame + 1);
+    frames = savePath(keys.empty() ? orbitTrack(options, bounds) : splineTrack(keys, bounds),
+                      glm::radians(options.fovDegrees), bounds, options.output);
+  });
   if (!options.quiet)
     printOutput(fmt::format("{}: {} frames, {:.1f} s\n", oneLine(options.output.string()), frames,
                             static_cast<double>(frames) / static_cast<double>(scene::kPathRate)));

@@ -9,6 +9,7 @@
 
 #include "asset/scene_file.h"
 #include "core/aabb.h"
+#include "core/memory_estimate.h"
 #include "scene/camera.h"
 
 namespace CLI {
@@ -34,6 +35,7 @@ struct RecordOptions {
   std::uint32_t frames = 300;
   float fovDegrees = 45.0F;
   bool quiet = false;
+  MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
   bool orbitGiven = false;  ///< some option of the orbit was given
 };
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "asset/scene_file.h"
+#include "app/memory_option.h"
 #include "core/error.h"
 
 namespace jalousie::app {
@@ -29,7 +29,7 @@ scene::Camera drawCamera(const RenderOptions& options, const scene::SceneData& s
 
 std::vector<asset::Camera> pathCameras(const RenderOptions& options, const scene::SceneData& scene) {
   if (options.path.empty()) return scene.cameras;
-  std::vector<asset::Camera> cameras = asset::readSceneFile(options.path).cameras;
+  std::vector<asset::Camera> cameras = readWithin(options.path, options.memory, readingNeeds).cameras;
   if (cameras.empty()) throw Error(ErrorCode::kUsage, "holds no camera", options.path);
   return cameras;
 }

@@ -8,6 +8,7 @@
 
 #include "app/capture.h"
 #include "app/gl_debug.h"
+#include "app/memory_option.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -28,13 +29,18 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
   if (options.json != kStandardOutput && !options.quiet) printOutput(reportText(options, report));
 }
 
-}  // namespace
+/// The file itself is gone afterwards.
+scene::SceneData loadScene(const RenderOptions& options) {
+  const asset::SceneFile file = readWithin(options.scene, options.memory, [&](const asset::SceneSize& size) {
+    return renderNeeds(size, options);
+  });
+  return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
+}
 
-void runRender(const RenderOptions& options) {
+void render(const RenderOptions& options) {
   checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
                std::vector{options.scene, options.path, options.importance});
-  const asset::SceneFile file = asset::readSceneFile(options.scene);
-  const scene::SceneData scene = scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
+  scene::SceneData scene = loadScene(options);
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
 
   const platform::HeadlessContext context(options.debug);
@@ -43,7 +49,9 @@ void runRender(const RenderOptions& options) {
   if (!options.importance.empty()) importance.emplace(asset::loadImage(options.importance));
   render::RendererOptions rendererOptions = options.rendererOptions;
   rendererOptions.importance = importance ? &*importance : nullptr;
+  rendererOptions.memory = options.memory;
   render::FrameRenderer renderer(scene, options.width, options.height, rendererOptions);
+  scene.textures.images = {};  // uploaded
   const RenderReport report = [&] {
     Progress progress("rendering", captureFrames(options), options.quiet);
     return captureFrame(options, renderer, context.capabilities(), cameras,
@@ -60,6 +68,12 @@ void runRender(const RenderOptions& options) {
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   debug.check();
   writeReport(options, report);
+}
+
+}  // namespace
+
+void runRender(const RenderOptions& options) {
+  withFile(options.scene, [&] { render(options); });
 }
 
 }  // namespace jalousie::app

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/memory_option.h"
 #include "app/option_checks.h"
 #include "app/option_values.h"
 #include "app/render_option_table.h"
@@ -115,6 +116,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addMethodOptions(command, options);
   addPictureOptions(command, options);
   addOutputOptions(command, options);
+  addMemoryOption(command, options.memory);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png
       default: two-phase culling, screen-space error of one pixel, start of the scene's camera path

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "core/memory_estimate.h"
 #include "render/frame_options.h"
 
 namespace jalousie::app {
@@ -36,6 +37,7 @@ struct RenderOptions {
   std::set<std::string> given;  ///< names of the table's options that the command line holds, whatever their value
   render::FrameOptions frameOptions;
   render::RendererOptions rendererOptions;
+  MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};  ///< of the whole command
 
   /// Fills in what follows from other options and refuses contradictions. Errors: kUsage.
   /// Defined in render_command_line.cpp, which knows the table of options.

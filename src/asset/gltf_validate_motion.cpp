@@ -2,7 +2,6 @@
 // it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -120,21 +119,14 @@ class AnimationCheck {
   std::set<std::pair<int, bool>> rotations_;  ///< accessor, whether read as a spline
 };
 
-/// Counts, types and numbers of EXT_mesh_gpu_instancing, by reading them as the runtime does.
-void checkInstances(const Model& model, const Limits& limits) {
+/// Counts, types and numbers of EXT_mesh_gpu_instancing in all nodes.
+void checkAllInstances(const Model& model, const Limits& limits) {
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     if (!model.nodes[i].extensions.contains("EXT_mesh_gpu_instancing")) continue;
-    const Instances instances = readInstances(model, static_cast<int>(i), limits);
-    total += instances.translations.size();
+    total += checkInstances(model, static_cast<int>(i), limits);
     if (total > limits.maxInstances)
       throw Error(ErrorCode::kLimit, fmt::format("more than {} instances", limits.maxInstances));
-    const auto finite = [](const glm::vec3& v) {
-      return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    if (!std::all_of(instances.translations.begin(), instances.translations.end(), finite) ||
-        !std::all_of(instances.scales.begin(), instances.scales.end(), finite))
-      malformed(fmt::format("node {}: an instance's translation or scale is not finite", i));
   }
 }
 
@@ -145,7 +137,7 @@ void validateMotion(const Model& model, const Limits& limits) {
   AnimationCheck animations(model);
   for (std::size_t i = 0; i < model.animations.size(); ++i)
     animations.check(i);
-  checkInstances(model, limits);
+  checkAllInstances(model, limits);
 }
 
 }  // namespace jalousie::asset::detail

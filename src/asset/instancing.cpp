@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "asset/accessor.h"
@@ -29,7 +30,7 @@ int attribute(const tinygltf::Value& attributes, const char* name, int node) {
 }
 
 /// Number of instances: the same for all attributes, whether we know them or not.
-std::size_t instanceCount(const tinygltf::Model& model, const tinygltf::Value& attributes, int node) {
+std::size_t commonCount(const tinygltf::Model& model, const tinygltf::Value& attributes, int node) {
   std::size_t count = 0;
   for (const std::string& name : attributes.Keys()) {
     const int accessor = attribute(attributes, name.c_str(), node);
@@ -39,6 +40,51 @@ std::size_t instanceCount(const tinygltf::Model& model, const tinygltf::Value& a
     count = own;
   }
   return count;
+}
+
+/// Accessors of the known attributes, -1 where absent.
+struct Attributes {
+  std::uint64_t count = 0;  ///< of instances; 0 if the node has no such extension
+  int translation = -1;
+  int rotation = -1;
+  int scale = -1;
+};
+
+Attributes attributesOf(const tinygltf::Model& model, int node, const Limits& limits) {
+  detail::requireIndex(node, model.nodes.size(), "node");
+  const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
+  const auto found = extensions.find(kExtension);
+  if (found == extensions.end()) return {};
+  if (!found->second.IsObject() || !found->second.Get("attributes").IsObject()) malformed(node, "has no attributes");
+  const tinygltf::Value& attributes = found->second.Get("attributes");
+  const std::size_t count = commonCount(model, attributes, node);
+  if (count == 0) malformed(node, "has no attributes");
+  if (count > limits.maxInstances)
+    throw Error(ErrorCode::kLimit,
+                fmt::format("node {}: {} instances, the limit is {}", node, count, limits.maxInstances));
+  return {count, attribute(attributes, "TRANSLATION", node), attribute(attributes, "ROTATION", node),
+          attribute(attributes, "SCALE", node)};
+}
+
+/// Whether an accessor has values other than zeros, which are not expanded to be checked.
+bool hasValues(const tinygltf::Accessor& accessor) {
+  return accessor.bufferView >= 0 || accessor.sparse.isSparse;
+}
+
+/// Type, range and numbers of an accessor of vectors.
+void checkVectors(const tinygltf::Model& model, int node, int accessor, const Limits& limits) {
+  if (accessor < 0) return;
+  detail::baseElements(model, accessor, limits.maxInstances);
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  if (source.type != TINYGLTF_TYPE_VEC3)
+    throw Error(ErrorCode::kMalformed, fmt::format("accessor {} has the wrong type for its use", accessor));
+  if (!hasValues(source)) return;
+  const std::vector<glm::vec3> values = readVec3(model, accessor, limits.maxInstances);
+  const bool finite = std::all_of(values.begin(), values.end(), [](const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
+  if (!finite)
+    throw Error(ErrorCode::kMalformed, fmt::format("node {}: an instance's translation or scale is not finite", node));
 }
 
 }  // namespace
@@ -55,29 +101,32 @@ tinygltf::Value appendInstances(tinygltf::Model& model, const Instances& instanc
   return tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(attributes))}});
 }
 
-Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits) {
-  detail::requireIndex(node, model.nodes.size(), "node");
-  const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
-  const auto found = extensions.find(kExtension);
-  if (found == extensions.end()) return {};
-  if (!found->second.IsObject() || !found->second.Get("attributes").IsObject()) malformed(node, "has no attributes");
-  const tinygltf::Value& attributes = found->second.Get("attributes");
-  const std::size_t count = instanceCount(model, attributes, node);
-  if (count == 0) malformed(node, "has no attributes");
-  if (count > limits.maxInstances)
-    throw Error(ErrorCode::kLimit,
-                fmt::format("node {}: {} instances, the limit is {}", node, count, limits.maxInstances));
+std::uint64_t countInstances(const tinygltf::Model& model, int node, const Limits& limits) {
+  return attributesOf(model, node, limits).count;
+}
 
+std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limits& limits) {
+  const Attributes found = attributesOf(model, node, limits);
+  checkVectors(model, node, found.translation, limits);
+  checkVectors(model, node, found.scale, limits);
+  if (found.rotation < 0) return found.count;
+  if (!hasValues(model.accessors[static_cast<std::size_t>(found.rotation)]))
+    malformed(node, "has rotations without direction");
+  readQuaternions(model, found.rotation, limits.maxInstances);
+  return found.count;
+}
+
+Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits) {
+  const Attributes found = attributesOf(model, node, limits);
+  if (found.count == 0) return {};
   Instances instances;
-  const int translation = attribute(attributes, "TRANSLATION", node);
-  const int rotation = attribute(attributes, "ROTATION", node);
-  const int scale = attribute(attributes, "SCALE", node);
-  instances.translations = translation >= 0 ? readVec3(model, translation, limits.maxInstances)
-                                            : std::vector<glm::vec3>(count, glm::vec3(0.0F));
-  instances.rotations = rotation >= 0 ? readQuaternions(model, rotation, limits.maxInstances)
-                                      : std::vector<glm::quat>(count, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
-  instances.scales =
-      scale >= 0 ? readVec3(model, scale, limits.maxInstances) : std::vector<glm::vec3>(count, glm::vec3(1.0F));
+  instances.translations = found.translation >= 0 ? readVec3(model, found.translation, limits.maxInstances)
+                                                  : std::vector<glm::vec3>(found.count, glm::vec3(0.0F));
+  instances.rotations = found.rotation >= 0
+                            ? readQuaternions(model, found.rotation, limits.maxInstances)
+                            : std::vector<glm::quat>(found.count, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+  instances.scales = found.scale >= 0 ? readVec3(model, found.scale, limits.maxInstances)
+                                      : std::vector<glm::vec3>(found.count, glm::vec3(1.0F));
   return instances;
 }
 

@@ -21,6 +21,11 @@ struct Instances {
 /// Appends the accessors of EXT_mesh_gpu_instancing and returns the extension's value, so that a LOD chain's nodes can
 /// share it: node.extensions["EXT_mesh_gpu_instancing"] = value. Declares the extension in model.extensionsUsed.
 tinygltf::Value appendInstances(tinygltf::Model& model, const Instances& instances);
+/// Number of a node's instances, 0 if it has no such extension; reads none. Errors: kMalformed, kLimit.
+std::uint64_t countInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
+/// Checks counts, types, ranges and rotations as readInstances does. Allocates only what follows the file's size:
+/// accessors without data are not expanded. @return  countInstances   Errors: kMalformed, kLimit.
+std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
 /// Reads a node's instances; missing attributes are identity; empty vectors if the node has no such extension.
 /// Errors: kMalformed (counts differ), kLimit.
 Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits = {});

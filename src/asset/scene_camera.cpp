@@ -20,26 +20,18 @@ constexpr double kPi = 3.14159265358979323846;
   throw Error(ErrorCode::kMalformed, message);
 }
 
-/// Keys of one channel: times ascending, one value each.
-template <class Value>
-struct Keys {
-  std::vector<float> times;
-  std::vector<Value> values;
-};
-
 /// STEP holds a value until the next key: doubling the keys says the same in linear terms.
 template <class Value>
-Keys<Value> doubled(const Keys<Value>& keys) {
-  Keys<Value> result;
-  for (std::size_t i = 0; i < keys.times.size(); ++i) {
-    if (i > 0) {
-      result.times.push_back(keys.times[i]);
-      result.values.push_back(keys.values[i - 1]);
-    }
-    result.times.push_back(keys.times[i]);
-    result.values.push_back(keys.values[i]);
+void doubleKeys(std::vector<float>& times, std::vector<Value>& values) {
+  if (times.empty()) return;
+  const std::size_t count = times.size();
+  times.resize(2 * count - 1);
+  values.resize(2 * count - 1);
+  for (std::size_t i = count; i-- > 1;) {
+    times[2 * i] = times[2 * i - 1] = times[i];
+    values[2 * i] = values[i];
+    values[2 * i - 1] = values[i - 1];
   }
-  return result;
 }
 
 /// CUBICSPLINE stores in-tangent, value, out-tangent per key; the values stay.
@@ -56,19 +48,6 @@ void checkTimes(const std::vector<float>& times) {
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
       malformed("animation times must be finite and ascend");
   }
-}
-
-template <class Value, class Read>
-Keys<Value> readKeys(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, const Limits& limits,
-                     const Read& read) {
-  const std::uint64_t maxElements = limits.maxAccessorElements;
-  Keys<Value> keys{readScalars(model, sampler.input, maxElements), {}};
-  checkTimes(keys.times);
-  const bool cubic = sampler.interpolation == "CUBICSPLINE";
-  std::vector<Value> values = read(model, sampler.output, maxElements, cubic);
-  keys.values = cubic ? middleOfThree(values) : std::move(values);
-  if (keys.times.size() != keys.values.size()) malformed("animation has different numbers of times and values");
-  return sampler.interpolation == "STEP" ? doubled(keys) : keys;
 }
 
 std::vector<glm::vec3> readTranslations(const tinygltf::Model& model, int accessor, std::uint64_t maxElements, bool) {
@@ -93,33 +72,56 @@ std::vector<glm::quat> readRotations(const tinygltf::Model& model, int accessor,
   return values;
 }
 
+}  // namespace
+
+CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits) : model_(model), limits_(limits) {
+  for (const tinygltf::Animation& animation : model.animations)
+    for (const tinygltf::AnimationChannel& channel : animation.channels)
+      channels_[channel.target_node].emplace_back(&animation, &channel);
+}
+
+template <class Value, class Read>
+const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table,
+                                                      const tinygltf::AnimationSampler& sampler, const Read& read) {
+  const auto [place, isNew] = table.try_emplace({sampler.input, sampler.output, sampler.interpolation});
+  Keys<Value>& keys = place->second;
+  if (!isNew) return keys;
+  const std::uint64_t maxElements = limits_.maxAccessorElements;
+  std::vector<float> times = readScalars(model_, sampler.input, maxElements);
+  checkTimes(times);
+  const bool cubic = sampler.interpolation == "CUBICSPLINE";
+  std::vector<Value> values = read(model_, sampler.output, maxElements, cubic);
+  if (cubic) values = middleOfThree(values);
+  if (times.size() != values.size()) malformed("animation has different numbers of times and values");
+  if (sampler.interpolation == "STEP") doubleKeys(times, values);
+  keys = {std::move(times), std::move(values)};
+  return keys;
+}
+
 /// The first channel of any animation that moves the node counts, separately for translation and rotation.
-CameraTrack readTrack(const tinygltf::Model& model, int node, const Limits& limits) {
+CameraTrack CameraReader::trackOf(int node) {
   CameraTrack track;
-  for (const tinygltf::Animation& animation : model.animations) {
-    for (const tinygltf::AnimationChannel& channel : animation.channels) {
-      if (channel.target_node != node) continue;
-      const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
-      if (channel.target_path == "translation" && track.translations.empty()) {
-        auto keys = readKeys<glm::vec3>(model, sampler, limits, readTranslations);
-        track.translationTimes = std::move(keys.times);
-        track.translations = std::move(keys.values);
-      } else if (channel.target_path == "rotation" && track.rotations.empty()) {
-        auto keys = readKeys<glm::quat>(model, sampler, limits, readRotations);
-        track.rotationTimes = std::move(keys.times);
-        track.rotations = std::move(keys.values);
-      }
+  const auto found = channels_.find(node);
+  if (found == channels_.end()) return track;
+  for (const auto& [animation, channel] : found->second) {
+    const tinygltf::AnimationSampler& sampler = animation->samplers[static_cast<std::size_t>(channel->sampler)];
+    if (channel->target_path == "translation" && track.translations.empty()) {
+      const Keys<glm::vec3>& keys = keysOf(positions_, sampler, readTranslations);
+      track.translationTimes = keys.times;
+      track.translations = keys.values;
+    } else if (channel->target_path == "rotation" && track.rotations.empty()) {
+      const Keys<glm::quat>& keys = keysOf(rotations_, sampler, readRotations);
+      track.rotationTimes = keys.times;
+      track.rotations = keys.values;
     }
   }
   return track;
 }
 
-}  // namespace
-
-std::optional<Camera> readCamera(const tinygltf::Model& model, int node, const glm::dmat4& worldFromParent,
-                                 const glm::dmat4& worldFromNode, const Limits& limits) {
-  const int index = model.nodes[static_cast<std::size_t>(node)].camera;
-  const tinygltf::Camera& source = model.cameras[static_cast<std::size_t>(index)];
+std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromParent,
+                                         const glm::dmat4& worldFromNode) {
+  const int index = model_.nodes[static_cast<std::size_t>(node)].camera;
+  const tinygltf::Camera& source = model_.cameras[static_cast<std::size_t>(index)];
   if (source.type != "perspective") return std::nullopt;
   const tinygltf::PerspectiveCamera& lens = source.perspective;
   if (!(lens.yfov > 0.0 && lens.yfov < kPi)) malformed(fmt::format("camera {}: yfov {}", index, lens.yfov));
@@ -128,13 +130,13 @@ std::optional<Camera> readCamera(const tinygltf::Model& model, int node, const g
     malformed(fmt::format("camera {}: zfar {} is not beyond znear {}", index, lens.zfar, lens.znear));
 
   Camera camera;
-  camera.name = source.name.empty() ? model.nodes[static_cast<std::size_t>(node)].name : source.name;
+  camera.name = source.name.empty() ? model_.nodes[static_cast<std::size_t>(node)].name : source.name;
   camera.fovY = static_cast<float>(lens.yfov);
   camera.zNear = static_cast<float>(lens.znear);
   if (lens.zfar > 0.0) camera.zFar = static_cast<float>(lens.zfar);
   camera.worldFromCamera = glm::mat4(worldFromNode);
   camera.worldFromParent = glm::mat4(worldFromParent);
-  camera.track = readTrack(model, node, limits);
+  camera.track = trackOf(node);
   return camera;
 }
 

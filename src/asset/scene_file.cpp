@@ -56,9 +56,13 @@ struct Visit {
 class SceneReader {
  public:
   SceneReader(const Model& model, const Limits& limits)
-      : model_(model), limits_(limits), budget_{demandLimit(model, limits)} {}
+      : model_(model), limits_(limits), budget_{demandLimit(model, limits)}, cameras_(model, limits) {}
 
-  SceneFile read() {
+  /// @param size  of the scene, for the vectors that are filled element by element
+  SceneFile read(const SceneSize& size) {
+    scene_.instances.reserve(size.instances);
+    scene_.images.edit().reserve(size.images.size());
+    scene_.cameras.reserve(size.cameras);
     readMaterials();
     std::vector<Visit> stack;
     const std::vector<int> roots = sceneRoots(model_);
@@ -107,7 +111,7 @@ class SceneReader {
                          [&](std::span<const std::byte> bytes) { return decodeImage(bytes, limits_.images); });
     takePixels(decoded);
     const auto index = static_cast<std::uint32_t>(scene_.images.size());
-    scene_.images.push_back(std::move(decoded));
+    scene_.images.edit().push_back(std::move(decoded));
     imageIndex_.emplace(source, index);
     return index;
   }
@@ -122,7 +126,7 @@ class SceneReader {
     if (!finite(glm::mat4(worldFromNode)))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
     if (node.camera >= 0) {
-      auto camera = detail::readCamera(model_, visit.node, visit.worldFromParent, worldFromNode, limits_);
+      auto camera = cameras_.read(visit.node, visit.worldFromParent, worldFromNode);
       if (camera) scene_.cameras.push_back(std::move(*camera));
     }
     if (node.mesh < 0) return;
@@ -187,9 +191,6 @@ class SceneReader {
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
     const Instances instances = readInstances(model_, node, limits_);
-    const std::size_t added = instances.translations.empty() ? 1 : instances.translations.size();
-    if (added > limits_.maxInstances - scene_.instances.size())
-      throw Error(ErrorCode::kLimit, fmt::format("more than {} instances", limits_.maxInstances));
     if (instances.translations.empty()) scene_.instances.push_back({chain, glm::mat4(worldFromNode)});
     for (std::size_t i = 0; i < instances.translations.size(); ++i) {
       const glm::dmat4 nodeFromInstance = glm::translate(glm::dmat4(1.0), glm::dvec3(instances.translations[i])) *
@@ -204,6 +205,7 @@ class SceneReader {
   const Model& model_;
   const Limits& limits_;
   detail::ElementBudget budget_;
+  detail::CameraReader cameras_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
   std::map<int, std::uint32_t> imageIndex_;
@@ -213,13 +215,19 @@ class SceneReader {
 
 }  // namespace
 
-SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits, const ReadObserver& observer) {
-  return readScene(loadGltf(path, limits, observer), path, limits);
+SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits, const ReadObserver& observer,
+                        const SizeCheck& check) {
+  return readScene(loadGltf(path, limits, observer), path, limits, check);
 }
 
-SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {
+SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits,
+                    const SizeCheck& check) {
   try {
-    return SceneReader(model, limits).read();
+    const SceneSize size = measureScene(model, limits);
+    if (size.instances > limits.maxInstances)
+      throw Error(ErrorCode::kLimit, fmt::format("{} instances, the limit is {}", size.instances, limits.maxInstances));
+    if (check) check(size);
+    return SceneReader(model, limits).read(size);
   } catch (const Error& error) {
     if (!error.file().empty()) throw;
     throw Error(error.code(), error.what(), path);

@@ -3,7 +3,10 @@
 
 #include <filesystem>
 
+#include <functional>
+
 #include "asset/read_limits.h"
+#include "asset/scene_size.h"
 #include "asset/scene_types.h"
 
 namespace tinygltf {
@@ -12,13 +15,18 @@ class Model;
 
 namespace jalousie::asset {
 
+/// Judges a scene by its size. Throws what readSceneFile shall throw.
+using SizeCheck = std::function<void(const SceneSize& size)>;
+
 /// Reads the default scene (or scene 0, or all root nodes) of a glTF or GLB file. Nodes listed only in MSFT_lod are
 /// LOD levels, not instances. Of a CUBICSPLINE track only the keys are read; the keys of a STEP track are doubled, so
 /// that linear interpolation repeats the steps. Errors: as loadGltf; kMalformed for NaN or infinite positions and
 /// transforms; kLimit.
+/// @param check  called with the scene's size before anything of it is allocated; refuses by throwing; may be empty
 SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {},
-                        const ReadObserver& observer = {});
+                        const ReadObserver& observer = {}, const SizeCheck& check = {});
 /// As readSceneFile, for a document that is loaded already. @param path  the document's file, for messages
-SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
+SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {},
+                    const SizeCheck& check = {});
 
 }  // namespace jalousie::asset

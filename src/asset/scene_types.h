@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/shared_vector.h"
 
 namespace jalousie::asset {
 
@@ -57,11 +58,12 @@ struct Instance {
 };
 
 /// Sampled motion of a camera; times ascending, seconds, linear interpolation (slerp for rotations).
+/// Cameras of one file share keys.
 struct CameraTrack {
-  std::vector<float> translationTimes;
-  std::vector<glm::vec3> translations;
-  std::vector<float> rotationTimes;
-  std::vector<glm::quat> rotations;
+  SharedVector<float> translationTimes;
+  SharedVector<glm::vec3> translations;
+  SharedVector<float> rotationTimes;
+  SharedVector<glm::quat> rotations;
 };
 
 /// Perspective camera looking along -z of its node, y up.
@@ -76,7 +78,7 @@ struct Camera {
 };
 
 struct SceneFile {
-  std::vector<ImageRgba8> images;
+  SharedVector<ImageRgba8> images;  ///< copies of a scene share them
   std::vector<Material> materials;  ///< never empty
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;

@@ -53,17 +53,20 @@ void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& pa
   hash.values(scene.chains);
   hash.values(scene.lods);
   hash.values(scene.materials);
-  for (const std::vector<ImageRgba8>& layer : scene.textures.layers)
-    if (!layer.empty()) hash.values(layer.front().pixels);
+  for (const ImageRgba8& image : scene.textures.images) {
+    hash.value(image.width);
+    hash.value(image.height);
+    hash.values(image.pixels);
+  }
   hash.value(path.fovY);
   hash.value(path.zNear);
   hash.value(path.zFar.value_or(0.0F));
   hash.value(path.worldFromCamera);
   hash.value(path.worldFromParent);
-  hash.values(path.track.translationTimes);
-  hash.values(path.track.translations);
-  hash.values(path.track.rotationTimes);
-  hash.values(path.track.rotations);
+  hash.values(path.track.translationTimes.get());
+  hash.values(path.track.translations.get());
+  hash.values(path.track.rotationTimes.get());
+  hash.values(path.track.rotations.get());
   hash.value(plan.width);
   hash.value(plan.height);
   hash.value(plan.reference);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/check.h"
+#include "gl/memory.h"
 
 namespace jalousie::gl {
 
@@ -14,6 +17,7 @@ Buffer::Buffer(std::size_t sizeBytes, GLbitfield flags, const char* name, const 
   handle_ = Handle<BufferTraits>(id);
   label(GL_BUFFER, id, name);
   glNamedBufferStorage(id, static_cast<GLsizeiptr>(sizeBytes_), sizeBytes == sizeBytes_ ? data : nullptr, flags);
+  requireMemory(fmt::format("buffer '{}' of {} MiB", name, sizeBytes_ >> 20U));
   if (data != nullptr && sizeBytes != sizeBytes_ && sizeBytes > 0)
     write(0, std::span(static_cast<const std::byte*>(data), sizeBytes));
 }

@@ -33,8 +33,11 @@ void expand(std::string_view name, std::span<const std::string_view> defines, co
     text.remove_prefix(end + 1);
     if (current.starts_with("#version")) {
       result.text += current;
-      for (const std::string_view define : defines)
-        result.text += fmt::format("#define {} 1\n", define);
+      for (const std::string_view define : defines) {
+        const std::size_t equals = define.find('=');
+        const bool hasValue = equals != std::string_view::npos;
+        result.text += fmt::format("#define {} {}\n", define.substr(0, equals), hasValue ? define.substr(equals + 1) : "1");
+      }
       result.text += fmt::format("#line {} {}\n", line + 1, file);
     } else if (const std::string_view included = includedName(current); !included.empty()) {
       if (std::find(result.files.begin(), result.files.end(), included) != result.files.end()) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/check.h"
+#include "gl/memory.h"
 
 namespace jalousie::gl {
 
@@ -21,6 +24,7 @@ Texture::Texture(GLenum target, GLenum internalFormat, const TextureSize& size, 
   } else {
     glTextureStorage3D(id, levels, internalFormat, width, height, static_cast<GLsizei>(size.layers));
   }
+  requireMemory(fmt::format("texture '{}' of {}x{}x{} texels", name, size.width, size.height, size.layers));
 }
 
 void Texture::uploadLayer(std::uint32_t layer, std::uint32_t level, std::span<const std::uint8_t> rgba) {

@@ -6,24 +6,24 @@
 namespace jalousie::render {
 namespace {
 
-std::array<gl::Program, 4> makePrograms(ProgramId first, const gl::Capabilities& capabilities,
+std::array<gl::Program, 4> makePrograms(ProgramId first, const DrawFeatures& features,
                                         const gl::ShaderLibrary& shaders) {
   std::array<gl::Program, 4> programs;
   for (unsigned i = 0; i < programs.size(); ++i) {
-    const gl::ProgramSource& source = programTable()[static_cast<unsigned>(first) + i];
-    programs[i] =
-        gl::Program(capabilities.drawParameters ? gl::withDefine(source, kDrawParametersDefine) : source, shaders);
+    gl::ProgramSource source = programTable()[static_cast<unsigned>(first) + i];
+    if (features.capabilities.drawParameters) source = gl::withDefine(source, kDrawParametersDefine);
+    programs[i] = gl::Program(gl::withDefine(source, textureClassesDefine(features.textureClasses)), shaders);
   }
   return programs;
 }
 
 }  // namespace
 
-DrawPass::DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders)
-    : indirectCount_(capabilities.indirectCount),
-      shaded_(makePrograms(ProgramId::kShadedSolid, capabilities, shaders)),
-      opacity_(makePrograms(ProgramId::kOpacitySolid, capabilities, shaders)),
-      id_(makePrograms(ProgramId::kIdSolid, capabilities, shaders)),
+DrawPass::DrawPass(const DrawFeatures& features, const gl::ShaderLibrary& shaders)
+    : indirectCount_(features.capabilities.indirectCount),
+      shaded_(makePrograms(ProgramId::kShadedSolid, features, shaders)),
+      opacity_(makePrograms(ProgramId::kOpacitySolid, features, shaders)),
+      id_(makePrograms(ProgramId::kIdSolid, features, shaders)),
       mapView_(programSource(ProgramId::kMapView), shaders),
       depthView_(programSource(ProgramId::kDepthView), shaders),
       overdrawView_(programSource(ProgramId::kOverdrawView), shaders),

@@ -22,11 +22,17 @@ enum class DrawKind { kShaded, kOpacity, kId };
 /// Which surfaces it draws: blended ones come last and never occlude.
 enum class DrawPart { kOpaque, kBlended };
 
+/// What the programs are built for.
+struct DrawFeatures {
+  /// Draw parameters and count draws are used where they are named; results are the same without.
+  const gl::Capabilities& capabilities;
+  std::uint32_t textureClasses = 1;  ///< SceneBuffers::textureClasses
+};
+
 /// The programs of all lists, and the loop over them.
 class DrawPass {
  public:
-  /// Draw parameters and count draws are used where the capabilities name them; results are the same without.
-  explicit DrawPass(const gl::Capabilities& capabilities, const gl::ShaderLibrary& shaders = {});
+  explicit DrawPass(const DrawFeatures& features, const gl::ShaderLibrary& shaders = {});
 
   /// Uploads the drawing camera for all programs, and takes the detail path of the draws that follow from it.
   void setView(const gpu::DrawView& view);

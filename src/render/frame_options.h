@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/memory_estimate.h"
 #include "policy/frame_policy.h"
 #include "shared/limits.h"
 #include "visibility/submission.h"
@@ -48,6 +49,9 @@ struct RendererOptions {
   /// Most instances one draw list holds; absent: all objects. Further instances are not drawn; they are counted and
   /// reported.
   std::optional<std::uint32_t> capacity = {};
+  /// Limit on what the renderer's buffers, textures and targets need by memory_needs.h; checked before they are
+  /// allocated.
+  MemoryLimit memory = {};
   /// Scales tau and minPixels by region; only read by the constructor. May be null.
   const visibility::ImportanceMask* importance = nullptr;
   /// Where shader texts come from; null: the embedded ones. Only read by the constructor.

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "policy/traits.h"
+#include "render/memory_needs.h"
 #include "render/tessellation_limit.h"
+#include "scene/scene_memory.h"
 
 namespace jalousie::render {
 namespace {
@@ -20,11 +22,21 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
   return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
 }
 
+/// The scene, after its buffers and the targets were found to be within the limit. Errors: kLimit.
+const scene::SceneData& withinMemory(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                                     const RendererOptions& options) {
+  MemoryEstimate needs = bufferNeeds(scene::sizeOf(scene), scene.maxPatchTriangles > 0, options);
+  needs.add(targetNeeds(width, height));
+  needs.require(options.memory);
+  return scene;
+}
+
 }  // namespace
 
 FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
                        const RendererOptions& options, const gl::ShaderLibrary& shaders)
-    : scene(sceneData),
+    : scene(withinMemory(sceneData, width, height, options)),
+      memory(options.memory),
       capabilities(capabilitiesFor(options)),
       tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
       finestTriangles(countFinestTriangles(scene)),
@@ -38,7 +50,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
-      draw(capabilities, shaders),
+      draw({capabilities, buffers.textureClasses()}, shaders),
       methods({scene, capabilities, shaders}),
       context{cullView, drawView, counting, timer,   buffers, visibility, lists,
               early,    late,     draw,     targets, map,     pyramid},

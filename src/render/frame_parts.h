@@ -18,6 +18,7 @@ struct FrameParts {
              const RendererOptions& options, const gl::ShaderLibrary& shaders);
 
   const scene::SceneData& scene;
+  MemoryLimit memory;
   gl::Capabilities capabilities;
   gpu::uint tessellationLimit;
   FinestTriangles finestTriangles;

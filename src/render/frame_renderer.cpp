@@ -3,6 +3,7 @@
 
 #include "core/check.h"
 #include "render/frame_parts.h"
+#include "render/memory_needs.h"
 
 namespace jalousie::render {
 
@@ -48,6 +49,7 @@ void FrameRenderer::renderIds() noexcept {
 
 void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
   FrameParts& parts = *parts_;
+  targetNeeds(width, height).require(parts.memory);
   parts.targets = Targets(width, height);
   parts.map.resize(visibility::mapLayout(width, height), &parts.targets.depth);
   parts.pyramid.resize(visibility::mapLayout(width, height));

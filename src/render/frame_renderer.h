@@ -46,7 +46,8 @@ struct ObjectReadout {
 class FrameRenderer {
  public:
   /// Keeps a reference to scene, which must outlive the renderer.
-  /// Errors: kLimit if the driver's buffers cannot hold the scene; kShader.
+  /// Errors: kLimit if RendererOptions::memory is not enough, or if the driver's buffers and textures cannot hold the
+  /// scene or the picture; kShader.
   FrameRenderer(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
                 const RendererOptions& options = {});
   ~FrameRenderer();
@@ -61,7 +62,8 @@ class FrameRenderer {
   /// Draws the last frame's objects again, as object numbers.
   void renderIds() noexcept;
 
-  /// Another size; history is forgotten. @pre both sides in [1, 16384] (checked)
+  /// Another size; history is forgotten. Errors: kLimit, as the constructor; the renderer can then only be destroyed or
+  /// resized. @pre both sides in [1, 16384] (checked)
   void resize(std::uint32_t width, std::uint32_t height);
   /// Moves objects: rewrites the transforms [first, first + transforms.size()) of SceneData::transforms. An index is
   /// that of a transform (gpu::Object::transform), not of an object. @pre in range (checked)

@@ -1,7 +1,9 @@
 // The drawing programs, in one table that a test builds completely.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "gl/program.h"
 
@@ -29,6 +31,9 @@ enum class ProgramId : unsigned {
 
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.
 inline constexpr const char* kDrawParametersDefine = "JAL_DRAW_PARAMETERS";
+
+/// The define that declares so many array textures of base colours, 1 to gpu::kTextureClasses (checked).
+std::string_view textureClassesDefine(std::uint32_t count);
 
 /// All programs, in the order of ProgramId.
 std::span<const gl::ProgramSource> programTable();

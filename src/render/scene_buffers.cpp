@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
+#include "visibility/storage.h"
 
 namespace jalousie::render {
 namespace {
@@ -16,21 +18,41 @@ gl::Buffer upload(const std::vector<T>& elements, const char* name) {
   return gl::Buffer::fromArray(std::span<const T>(elements), name);
 }
 
-gl::Texture makeBaseColors(const scene::TextureLayers& textures) {
-  const auto layers = static_cast<std::uint32_t>(std::max<std::size_t>(textures.layers.size(), 1));
+/// What the kernels read. Errors: kLimit.
+template <class T>
+gl::Buffer uploadStorage(const std::vector<T>& elements, const char* name) {
+  visibility::checkStorage(elements.size() * sizeof(T), name);
+  return upload(elements, name);
+}
+
+gl::Texture makeClass(const scene::TextureClass& size) {
   GLint maxLayers = 0;
   glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &maxLayers);
-  if (layers > static_cast<std::uint32_t>(maxLayers))
-    throw Error(ErrorCode::kUnsupported, "the scene has more textures than this driver's texture arrays hold");
-  const auto levels = static_cast<std::uint32_t>(std::bit_width(textures.side));
-  gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {textures.side, textures.side, layers, levels},
+  if (size.layers > static_cast<std::uint32_t>(maxLayers))
+    throw Error(ErrorCode::kLimit, "the scene has " + std::to_string(size.layers) + " textures of one size, this " +
+                                       "driver's texture arrays hold " + std::to_string(maxLayers));
+  const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(size.width, size.height)));
+  gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {size.width, size.height, size.layers, levels},
                       "base colours");
-  for (std::uint32_t i = 0; i < textures.layers.size(); ++i)
-    for (std::uint32_t level = 0; level < levels; ++level)
-      texture.uploadLayer(i, level, textures.layers[i][level].pixels);
-  if (textures.layers.empty()) texture.uploadLayer(0, 0, std::vector<std::uint8_t>(4, 255));
   texture.setSampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
   return texture;
+}
+
+/// One array for each class; one white texel where there are none.
+std::vector<gl::Texture> makeBaseColors(const scene::TextureLayers& textures) {
+  std::vector<gl::Texture> arrays;
+  for (const scene::TextureClass& size : textures.layout.classes)
+    arrays.push_back(makeClass(size));
+  for (std::size_t i = 0; i < textures.images.size(); ++i) {
+    const scene::TextureSlot& slot = textures.layout.slots[i];
+    const std::vector<ImageRgba8> levels = scene::makeLayer(textures, i);  // one at a time: layers are large
+    for (std::uint32_t level = 0; level < levels.size(); ++level)
+      arrays[slot.textureClass].uploadLayer(slot.layer, level, levels[level].pixels);
+  }
+  if (!arrays.empty()) return arrays;
+  arrays.push_back(makeClass({1, 1, 1}));
+  arrays.front().uploadLayer(0, 0, std::vector<std::uint8_t>(4, 255));
+  return arrays;
 }
 
 constexpr GLuint kPerVertex = 0;
@@ -44,11 +66,11 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       usesBlending_(scene.usesBlending),
       vertices_(upload(scene.vertices, "vertices")),
       indices_(upload(scene.indices, "indices")),
-      transforms_(upload(scene.transforms, "transforms")),
-      objects_(upload(scene.objects, "objects")),
-      chains_(upload(scene.chains, "chains")),
-      lods_(upload(scene.lods, "lods")),
-      materials_(upload(scene.materials, "materials")),
+      transforms_(uploadStorage(scene.transforms, "transforms")),
+      objects_(uploadStorage(scene.objects, "objects")),
+      chains_(uploadStorage(scene.chains, "chains")),
+      lods_(uploadStorage(scene.lods, "lods")),
+      materials_(uploadStorage(scene.materials, "materials")),
       baseColors_(makeBaseColors(scene.textures)),
       vertexArray_("scene") {
   using scene::Vertex;
@@ -75,7 +97,8 @@ void SceneBuffers::bindForDrawing(const gl::Buffer& instances) {
   chains_.bindStorage(gpu::kBindingChains);
   instances.bindStorage(gpu::kBindingDrawInstances);
   materials_.bindStorage(gpu::kBindingMaterials);
-  baseColors_.bind(gpu::kUnitBaseColor);
+  for (std::uint32_t i = 0; i < baseColors_.size(); ++i)
+    baseColors_[i].bind(gpu::kUnitBaseColor + i);
 }
 
 }  // namespace jalousie::render

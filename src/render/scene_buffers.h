@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
@@ -14,10 +15,13 @@ namespace jalousie::render {
 /// Uploads a scene once; only the transforms may change afterwards.
 class SceneBuffers {
  public:
+  /// Errors: kLimit if the driver's buffers or texture arrays cannot hold the scene.
   explicit SceneBuffers(const scene::SceneData& scene);
 
   std::uint32_t objectCount() const { return objectCount_; }
   std::uint32_t transformCount() const { return transformCount_; }
+  /// Array textures that the base colours lie in, 1 to gpu::kTextureClasses.
+  std::uint32_t textureClasses() const { return static_cast<std::uint32_t>(baseColors_.size()); }
   bool usesBlending() const { return usesBlending_; }
   visibility::SceneBindings bindings() const { return {&transforms_, &objects_, &chains_, &lods_}; }
   /// gpu::Transform [transformCount]: the application may write it, from the CPU or from a shader, between frames.
@@ -36,7 +40,7 @@ class SceneBuffers {
   gl::Buffer chains_;
   gl::Buffer lods_;
   gl::Buffer materials_;
-  gl::Texture baseColors_;
+  std::vector<gl::Texture> baseColors_;  ///< by texture class; at least one
   gl::VertexArray vertexArray_;
 };
 

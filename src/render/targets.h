@@ -10,6 +10,7 @@ namespace jalousie::render {
 
 /// Everything that depends on the size of the screen alone.
 struct Targets {
+  /// Errors: kLimit if the driver has no textures or viewports of this size, or no memory for them.
   Targets(std::uint32_t width, std::uint32_t height);
 
   /// Binds a framebuffer and clears what it holds: background colour, farthest depth, no object.

@@ -32,11 +32,15 @@ std::uint32_t packColor(const glm::vec4& color) {
   return packed;
 }
 
-gpu::Material makeMaterial(const asset::Material& material) {
+/// @param slots  of the textures, per image
+gpu::Material makeMaterial(const asset::Material& material, std::span<const TextureSlot> slots) {
   gpu::Material result{};
   result.baseColor = material.baseColor;
   result.alphaCutoff = material.alphaCutoff;
-  result.layer = material.image.value_or(0);
+  if (material.image) {
+    result.layer = slots[*material.image].layer;
+    result.textureClass = slots[*material.image].textureClass;
+  }
   if (material.image) result.flags |= gpu::kMaterialTextured;
   if (material.doubleSided) result.flags |= gpu::kMaterialDoubleSided;
   if (material.alphaMode == asset::AlphaMode::kMask) result.flags |= gpu::kMaterialMask;
@@ -50,8 +54,10 @@ class Builder {
   Builder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}
 
   SceneData build() {
+    scene_.textures = makeTextureLayers(file_.images, alphaCutoffs());
     for (const asset::Material& material : file_.materials)
-      scene_.materials.push_back(makeMaterial(material));
+      scene_.materials.push_back(makeMaterial(material, scene_.textures.layout.slots));
+    reserve();
     meshLods_.resize(file_.meshes.size());
     meshBounds_.resize(file_.meshes.size());
     for (std::size_t m = 0; m < file_.meshes.size(); ++m)
@@ -60,12 +66,31 @@ class Builder {
       addChain(chain);
     addObjects();
     scene_.binLayout = layoutBins(scene_.chains, scene_.objects, options_.patches);
-    scene_.textures = makeTextureLayers(file_.images, alphaCutoffs());
     scene_.cameras = file_.cameras;
     return std::move(scene_);
   }
 
  private:
+  /// Vectors that grew step by step would hold up to twice what they need.
+  void reserve() {
+    std::size_t vertices = 0;
+    std::size_t indices = 0;
+    const auto add = [&](const Mesh& mesh) {
+      for (const Primitive& primitive : mesh.primitives) {
+        vertices += primitive.positions.size();
+        indices += primitive.indices.size();
+      }
+    };
+    for (const Mesh& mesh : file_.meshes)
+      add(mesh);
+    for (const asset::Chain& chain : file_.chains)
+      if (options_.patches) add(file_.meshes[chain.levels.back().mesh]);
+    scene_.vertices.reserve(vertices);
+    scene_.indices.reserve(indices);
+    scene_.transforms.reserve(file_.instances.size());
+    scene_.objects.reserve(file_.instances.size());
+  }
+
   /// Appends a primitive's triangles; the mesh's vertices start at baseVertex.
   void appendPrimitive(const Primitive& primitive, std::span<const glm::vec3> normals, std::size_t baseVertex) {
     const std::size_t offset = scene_.vertices.size() - baseVertex;

@@ -1,14 +1,14 @@
-// Resamples textures to one size and makes their mip levels. Layers of one size need more memory, but all draws can use
-// one texture. The mip levels are made here, not by the driver, so that they are the same on every machine and masked
-// textures keep their coverage (Castano 2010, "Computing alpha mipmaps").
+// Sorts textures by size and makes their mip levels. The mip levels are made here, not by the driver, so that they are
+// the same on every machine and masked textures keep their coverage (Castano 2010, "Computing alpha mipmaps").
 #include "scene/texture_layers.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-
-#include "asset/image_io.h"
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace jalousie::scene {
 namespace {
@@ -35,14 +35,14 @@ const std::array<float, 256>& linearTable() {
   return kTable;
 }
 
-/// Mean of 2x2 texels into one of the next level.
+/// Mean of 2x2 texels into one of the next level; of two along a side that has one texel.
 void averageTexel(const ImageRgba8& fine, std::uint32_t x, std::uint32_t y, std::uint8_t* target) {
   const std::array<float, 256>& linear = linearTable();
   std::array<float, 3> weighted = {};
   std::array<float, 3> plain = {};
   float alpha = 0.0F;
   for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint8_t* texel = &fine.pixels[fine.offset(2 * x + (k & 1U), 2 * y + (k >> 1U))];
+    const std::uint8_t* texel = &fine.pixels[fine.offset(std::min(2 * x + (k & 1U), fine.width - 1), std::min(2 * y + (k >> 1U), fine.height - 1))];
     alpha += texel[3];
     for (std::size_t c = 0; c < 3; ++c) {
       weighted[c] += static_cast<float>(texel[3]) * linear[texel[c]];
@@ -55,7 +55,7 @@ void averageTexel(const ImageRgba8& fine, std::uint32_t x, std::uint32_t y, std:
 }
 
 ImageRgba8 halved(const ImageRgba8& fine) {
-  ImageRgba8 coarse{fine.width / 2, fine.height / 2, {}};
+  ImageRgba8 coarse{std::max(fine.width / 2, 1U), std::max(fine.height / 2, 1U), {}};
   coarse.pixels.resize(std::size_t{4} * coarse.width * coarse.height);
   for (std::uint32_t y = 0; y < coarse.height; ++y)
     for (std::uint32_t x = 0; x < coarse.width; ++x)
@@ -90,6 +90,69 @@ void restoreCoverage(ImageRgba8& image, float cutoff, float coverage) {
   }
 }
 
+/// A class while classes are merged.
+struct Group {
+  TextureClass size;
+  std::vector<std::size_t> images;
+};
+
+TextureClass merged(const TextureClass& a, const TextureClass& b) {
+  return {std::max(a.width, b.width), std::max(a.height, b.height), a.layers + b.layers};
+}
+
+/// One group for each size that an image needs.
+std::vector<Group> groupsBySize(std::span<const asset::ImageSize> images, std::uint32_t maxSide) {
+  const std::uint32_t most = std::bit_floor(maxSide);
+  const auto side = [most](std::uint32_t pixels) { return std::bit_ceil(std::clamp(pixels, 1U, most)); };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Group> groups;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    Group& group = groups[{side(images[i].width), side(images[i].height)}];
+    group.size = {side(images[i].width), side(images[i].height), group.size.layers + 1};
+    group.images.push_back(i);
+  }
+  std::vector<Group> result;
+  for (auto& [size, group] : groups)
+    result.push_back(std::move(group));
+  return result;
+}
+
+/// The pair of groups whose merger adds the fewest texels.
+struct Merger {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  std::uint64_t added = std::numeric_limits<std::uint64_t>::max();  ///< texels
+};
+
+Merger cheapestMerger(const std::vector<Group>& groups) {
+  Merger best;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t k = i + 1; k < groups.size(); ++k) {
+      const TextureClass& a = groups[i].size;
+      const TextureClass& b = groups[k].size;
+      const std::uint64_t added = merged(a, b).texels() - a.texels() - b.texels();
+      if (added < best.added) best = {i, k, added};
+    }
+  }
+  return best;
+}
+
+void mergeGroups(std::vector<Group>& groups) {
+  std::uint64_t needed = 0;
+  for (const Group& group : groups)
+    needed += group.size.texels();
+  std::uint64_t spare = needed / 4;
+  while (groups.size() > 1) {
+    const Merger best = cheapestMerger(groups);
+    if (groups.size() <= gpu::kTextureClasses && best.added > spare) return;
+    spare -= std::min(spare, best.added);
+    Group& target = groups[best.first];
+    Group& source = groups[best.second];
+    target.size = merged(target.size, source.size);
+    target.images.insert(target.images.end(), source.images.begin(), source.images.end());
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(best.second));
+  }
+}
+
 }  // namespace
 
 float alphaCoverage(const ImageRgba8& image, float cutoff) {
@@ -101,7 +164,7 @@ float alphaCoverage(const ImageRgba8& image, float cutoff) {
 
 std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<float> alphaCutoff) {
   std::vector<ImageRgba8> levels = {image};
-  while (levels.back().width > 1)
+  while (std::max(levels.back().width, levels.back().height) > 1)
     levels.push_back(halved(levels.back()));
   const bool masked = alphaCutoff && *alphaCutoff > 0.0F && *alphaCutoff <= 1.0F;
   if (!masked) return levels;
@@ -111,20 +174,38 @@ std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<flo
   return levels;
 }
 
-TextureLayers makeTextureLayers(const std::vector<ImageRgba8>& images,
-                                const std::vector<std::optional<float>>& alphaCutoffs, std::uint32_t maxSide) {
-  TextureLayers result;
-  for (const ImageRgba8& image : images)
-    result.side = std::max({result.side, image.width, image.height});
-  result.side = std::min(std::bit_ceil(result.side), std::bit_floor(maxSide));
-  result.layers.reserve(images.size());
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const ImageRgba8& image = images[i];
-    const bool fits = image.width == result.side && image.height == result.side;
-    result.layers.push_back(makeMipLevels(fits ? image : asset::resizeImage(image, result.side, result.side),
-                                          i < alphaCutoffs.size() ? alphaCutoffs[i] : std::nullopt));
+TextureLayout layoutTextures(std::span<const asset::ImageSize> images, std::uint32_t maxSide) {
+  std::vector<Group> groups = groupsBySize(images, maxSide);
+  mergeGroups(groups);
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.size.layerTexels() > b.size.layerTexels(); });
+  TextureLayout layout;
+  layout.slots.resize(images.size());
+  for (Group& group : groups) {
+    std::sort(group.images.begin(), group.images.end());
+    for (std::uint32_t layer = 0; layer < group.images.size(); ++layer)
+      layout.slots[group.images[layer]] = {static_cast<std::uint32_t>(layout.classes.size()), layer};
+    layout.classes.push_back(group.size);
   }
+  return layout;
+}
+
+TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images,
+                                const std::vector<std::optional<float>>& alphaCutoffs, std::uint32_t maxSide) {
+  std::vector<asset::ImageSize> sizes;
+  for (const ImageRgba8& image : images)
+    sizes.push_back({image.width, image.height});
+  TextureLayers result{layoutTextures(sizes, maxSide), images, alphaCutoffs};
+  result.alphaCutoffs.resize(images.size());
   return result;
+}
+
+std::vector<ImageRgba8> makeLayer(const TextureLayers& textures, std::size_t image) {
+  const TextureClass& size = textures.layout.classes[textures.layout.slots[image].textureClass];
+  const ImageRgba8& source = textures.images[image];
+  const bool fits = source.width == size.width && source.height == size.height;
+  return makeMipLevels(fits ? source : asset::resizeImage(source, size.width, size.height),
+                       textures.alphaCutoffs[image]);
 }
 
 }  // namespace jalousie::scene

@@ -1,22 +1,59 @@
-// Base colour textures as equal layers of one array, so that one draw call can use them all.
+// Base colour textures as layers of a few array textures, so that one draw call can use them all.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "asset/image_io.h"
 #include "core/image.h"
+#include "core/shared_vector.h"
+#include "shared/limits.h"
 
 namespace jalousie::scene {
 
-/// Square layers of one size, in the order of the file's images, each with its mip levels.
-struct TextureLayers {
-  std::uint32_t side = 1;                       ///< pixels, a power of two
-  std::vector<std::vector<ImageRgba8>> layers;  ///< [image][level], level k has side >> k pixels, down to 1
+/// Longest side of a layer, pixels; larger images are resampled to it.
+inline constexpr std::uint32_t kMaxLayerSide = 1024;
+
+/// Layers of one size: an array texture. Both sides are powers of two.
+struct TextureClass {
+  std::uint32_t width = 1;  ///< pixels
+  std::uint32_t height = 1;
+  std::uint32_t layers = 0;
+
+  std::uint64_t layerTexels() const { return std::uint64_t{width} * height; }
+  std::uint64_t texels() const { return layerTexels() * layers; }
 };
 
-/// Mip levels of a square image with a power-of-two side, level 0 first. Colours are averaged in linear light and
-/// weighted by alpha, so that the colours of transparent texels do not bleed in.
+/// Where an image lies.
+struct TextureSlot {
+  std::uint32_t textureClass = 0;  ///< index into TextureLayout::classes
+  std::uint32_t layer = 0;
+};
+
+/// Classes and places of all images.
+struct TextureLayout {
+  std::vector<TextureClass> classes;  ///< at most kTextureClasses, the largest layers first
+  std::vector<TextureSlot> slots;     ///< per image
+};
+
+/// Sorts images into classes. The size that an image needs is the next power of two of each side, at most maxSide.
+/// Classes are merged, the pair first that adds the fewest texels, while there are more than gpu::kTextureClasses, and
+/// while all layers together have at most 5/4 of the texels that the images need: fewer classes are fewer fetches per
+/// fragment (docs/decisions/0013-texture-classes.md).
+TextureLayout layoutTextures(std::span<const asset::ImageSize> images, std::uint32_t maxSide = kMaxLayerSide);
+
+/// Images and where they lie. Layers are made one at a time by makeLayer.
+struct TextureLayers {
+  TextureLayout layout;
+  SharedVector<ImageRgba8> images;                ///< as read; may be emptied when the layers are uploaded
+  std::vector<std::optional<float>> alphaCutoffs;  ///< per image, for makeMipLevels
+};
+
+/// Mip levels of an image whose sides are powers of two, level 0 first, down to one texel. A side of one texel stays.
+/// Colours are averaged in linear light and weighted by alpha, so that the colours of transparent texels do not bleed
+/// in.
 /// @param alphaCutoff  if given, every level keeps the share of texels whose alpha reaches the cutoff; plain averages
 /// would make distant leaves vanish
 std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<float> alphaCutoff);
@@ -24,10 +61,12 @@ std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<flo
 /// Share of texels with alpha >= cutoff.
 float alphaCoverage(const ImageRgba8& image, float cutoff);
 
-/// Resamples every image to the smallest power of two that holds the largest one, at most maxSide.
-/// @param alphaCutoffs  per image, for makeMipLevels; may be shorter than images
-TextureLayers makeTextureLayers(const std::vector<ImageRgba8>& images,
+/// @param alphaCutoffs  per image; may be shorter than images
+TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images,
                                 const std::vector<std::optional<float>>& alphaCutoffs = {},
-                                std::uint32_t maxSide = 1024);
+                                std::uint32_t maxSide = kMaxLayerSide);
+
+/// The layer of one image with its mip levels, resampled to the size of its class.
+std::vector<ImageRgba8> makeLayer(const TextureLayers& textures, std::size_t image);
 
 }  // namespace jalousie::scene

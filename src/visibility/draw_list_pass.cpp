@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "scene/scene_data.h"
+#include "visibility/dispatch.h"
 #include "visibility/program_table.h"
+#include "visibility/storage.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -27,27 +28,6 @@ gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const Dra
   return view;
 }
 
-gl::Buffer makeStorage(std::size_t bytes, const char* name) {
-  GLint64 largest = 0;
-  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
-  if (bytes > static_cast<std::size_t>(largest))
-    throw Error(ErrorCode::kLimit, std::string("the ") + name + " need " + std::to_string(bytes >> 20U) +
-                                       " MiB in one buffer, this driver allows " + std::to_string(largest >> 20U) +
-                                       " MiB");
-  gl::Buffer buffer(bytes, 0, name);
-  buffer.clear();
-  return buffer;
-}
-
-/// One workgroup handles one tile or one block. Errors: kLimit.
-void checkGroups(std::uint32_t groups, const char* what) {
-  GLint largest = 0;
-  glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &largest);
-  if (groups > static_cast<std::uint32_t>(largest))
-    throw Error(ErrorCode::kLimit, "the scene has " + std::to_string(groups) + " " + what + ", this driver allows " +
-                                       std::to_string(largest) + " in one dispatch");
-}
-
 std::size_t commandBytes(const gpu::ListView& view) {
   return sizeof(gpu::DrawCommand) * (view.patches != 0 ? gpu::kListCount : gpu::kListsPerDetail) * view.commandCapacity;
 }
@@ -58,9 +38,9 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
     : options_(options),
       view_(makeView(scene, phase, options)),
       viewBuffer_(sizeof(gpu::ListView), 0, "draw list view", &view_),
-      instances_(makeStorage(sizeof(gpu::uint) * options.capacity, "instance list")),
-      commands_(makeStorage(commandBytes(view_), "draw commands")),
-      drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, "draw counts")) {}
+      instances_(makeStorage(sizeof(gpu::uint) * options.capacity, 0, "instance list")),
+      commands_(makeStorage(commandBytes(view_), 0, "draw commands")),
+      drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, 0, "draw counts")) {}
 
 DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
     : tileCount_(static_cast<std::uint32_t>(scene.binLayout.tiles.size())),
@@ -74,12 +54,9 @@ DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrar
       writeCountsProgram_(programSource(ProgramId::kWriteCounts), shaders),
       tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
       bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
-      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), "slots")),
-      entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, "bin counts")),
-      blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, "block sums")) {
-  checkGroups(tileCount_, "tiles of objects (64 objects of one chain, or fewer)");
-  checkGroups(blockCount_, "blocks of bin counts");
-}
+      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), 0, "slots")),
+      entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, 0, "bin counts")),
+      blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, 0, "block sums")) {}
 
 void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const {
   decided.view->bindUniform(gpu::kBindingCullView);
@@ -100,7 +77,7 @@ void DrawListPass::build(DrawList& list, const SceneBindings& scene, const Objec
   bind(list, scene, decided);
   const auto run = [](const gl::Program& program, std::uint32_t groups) {
     program.use();
-    glDispatchCompute(groups, 1, 1);
+    dispatchGroups(groups);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   };
   run(binProgram_, tileCount_);

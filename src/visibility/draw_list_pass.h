@@ -43,7 +43,7 @@ class DrawList {
 /// The kernels that fill lists, and their scratch memory. CPU twin: buildDrawLists.
 class DrawListPass {
  public:
-  /// Errors: kLimit if the driver's storage blocks or dispatches are too small for the scene.
+  /// Errors: kLimit if the driver's storage blocks are too small for the scene.
   explicit DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders = {});
 
   /// Leaves COMMAND, VERTEX_ATTRIB_ARRAY, STORAGE and BUFFER_UPDATE barriers.

@@ -3,6 +3,7 @@
 
 #include "scene/scene_data.h"
 #include "shared/limits.h"
+#include "visibility/dispatch.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {
@@ -24,7 +25,7 @@ void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const Obj
   frame.marks->bindStorage(gpu::kBindingMarks);
   states_.bindStorage(gpu::kBindingGhostStates);
   marks_.bindStorage(gpu::kBindingGhostMarks);
-  glDispatchCompute((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+  dispatchGroups((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   lists.build(list_, scene, decided(frame));
 }

@@ -2,24 +2,15 @@
 #include "visibility/object_store.h"
 
 #include "shared/frame_structs.h"
+#include "visibility/storage.h"
 
 namespace jalousie::visibility {
-namespace {
-
-gl::Buffer makeStorage(std::size_t bytes, const char* name) {
-  gl::Buffer buffer(bytes, GL_DYNAMIC_STORAGE_BIT, name);
-  buffer.clear();
-  return buffer;
-}
-
-}  // namespace
-
 ObjectStore::ObjectStore(std::uint32_t count)
     : objectCount(count),
-      states(makeStorage(sizeof(gpu::ObjectState) * count, "object states")),
-      boxes(makeStorage(sizeof(gpu::ScreenBox) * count, "screen boxes")),
-      marks(makeStorage(sizeof(gpu::uint) * count, "object marks")),
-      pixelCounts(makeStorage(sizeof(gpu::uint) * count, "pixels per object")) {}
+      states(makeStorage(sizeof(gpu::ObjectState) * count, GL_DYNAMIC_STORAGE_BIT, "object states")),
+      boxes(makeStorage(sizeof(gpu::ScreenBox) * count, GL_DYNAMIC_STORAGE_BIT, "screen boxes")),
+      marks(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "object marks")),
+      pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")) {}
 
 void ObjectStore::forget() {
   marks.clear();

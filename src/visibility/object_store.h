@@ -10,7 +10,7 @@ namespace jalousie::visibility {
 /// The buffers that VisibilityPass reads as history and overwrites with a frame's decisions. The caller of the pass
 /// owns them, and may read them after a frame or write them to start from a given history.
 struct ObjectStore {
-  /// All zero: no history. Allocates everything; nothing is allocated later.
+  /// All zero: no history. Allocates everything; nothing is allocated later. Errors: kLimit.
   explicit ObjectStore(std::uint32_t objectCount);
 
   /// Forgets what was visible in the last frame.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "visibility/dispatch.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {
@@ -47,7 +48,7 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
     scene.lods->bindStorage(gpu::kBindingLods);
     decided.states->bindStorage(gpu::kBindingStates);
     decided.marks->bindStorage(gpu::kBindingMarks);
-    glDispatchCompute((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+    dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   }
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);

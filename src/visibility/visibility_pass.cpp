@@ -5,6 +5,7 @@
 #include "policy/traits.h"
 #include "shared/limits.h"
 #include "visibility/level_of_visibility.h"
+#include "visibility/dispatch.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {
@@ -97,7 +98,7 @@ void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& s
   objects_.states.bindStorage(gpu::kBindingStates);
   objects_.boxes.bindStorage(gpu::kBindingBoxes);
   objects_.marks.bindStorage(gpu::kBindingMarks);
-  glDispatchCompute((objects_.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize, 1, 1);
+  dispatchGroups((objects_.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -345,7 +345,7 @@ struct Inputs {
     file.meshes.push_back({"box", {test::box({1, 1, 1})}});
     file.chains.push_back({"box", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
     test::addInstance(file, 1, {0, 1, 0}, glm::vec3(1));
-    file.images.push_back({2, 2, std::vector<std::uint8_t>(16, 100)});
+    file.images.edit().push_back({2, 2, std::vector<std::uint8_t>(16, 100)});
     file.materials.back().image = 0;
     path.track.translationTimes = {0.0F, 1.0F, 2.0F};
     path.track.translations = {{0, 0, 5}, {1, 0, 5}, {2, 1, 5}};
@@ -383,18 +383,18 @@ std::vector<Change> changesOfThePictures() {
       {"a level less", [](Inputs& i) { i.file.chains[0].levels.pop_back(); }},
       {"a level's error", [](Inputs& i) { i.file.chains[0].levels[2].errorObject *= 1.5F; }},
       {"a material", [](Inputs& i) { i.file.materials[0].baseColor.r += 0.01F; }},
-      {"a texel", [](Inputs& i) { i.file.images[0].pixels[6] ^= 1U; }},
-      {"a keyframe's place", [](Inputs& i) { i.path.track.translations[1].z += 0.001F; }},
-      {"a keyframe's time", [](Inputs& i) { i.path.track.translationTimes[1] += 0.001F; }},
+      {"a texel", [](Inputs& i) { i.file.images.edit()[0].pixels[6] ^= 1U; }},
+      {"a keyframe's place", [](Inputs& i) { i.path.track.translations.edit()[1].z += 0.001F; }},
+      {"a keyframe's time", [](Inputs& i) { i.path.track.translationTimes.edit()[1] += 0.001F; }},
       {"a keyframe's rotation",
        [](Inputs& i) {
-         i.path.track.rotations[1] = {0, 0, 1, 0};
+         i.path.track.rotations.edit()[1] = {0, 0, 1, 0};
        }},
-      {"a rotation's time", [](Inputs& i) { i.path.track.rotationTimes[1] += 0.001F; }},
+      {"a rotation's time", [](Inputs& i) { i.path.track.rotationTimes.edit()[1] += 0.001F; }},
       {"a keyframe more",
        [](Inputs& i) {
-         i.path.track.translationTimes.push_back(3.0F);
-         i.path.track.translations.emplace_back(3, 1, 5);
+         i.path.track.translationTimes.edit().push_back(3.0F);
+         i.path.track.translations.edit().emplace_back(3, 1, 5);
        }},
       {"the rest pose", [](Inputs& i) { i.path.worldFromCamera[3].x = 1.0F; }},
       {"the path's parent", [](Inputs& i) { i.path.worldFromParent[3].x = 1.0F; }},

@@ -68,7 +68,7 @@ TEST_F(GoldenGl, MaskedBlendedMirroredAndTexturedSurfaces) {
                                    static_cast<std::uint8_t>(dark ? 20 : 255)};
     std::copy_n(texel, 4, checker.pixels.begin() + 4 * i);
   }
-  file.images.push_back(checker);
+  file.images.edit().push_back(checker);
   for (const asset::AlphaMode mode : {asset::AlphaMode::kOpaque, asset::AlphaMode::kMask, asset::AlphaMode::kBlend}) {
     asset::Material material;
     material.image = 0;

@@ -142,7 +142,7 @@ asset::SceneFile leafCards(std::uint32_t cards, std::uint32_t spheres, std::uint
     leaves.pixels[texel + 1] = static_cast<std::uint8_t>(90 + random.below(90));
     leaves.pixels[texel + 3] = random.below(24) == 0 ? 0 : 255;
   }
-  file.images.push_back(leaves);
+  file.images.edit().push_back(leaves);
   asset::Material material;
   material.image = 0;
   material.alphaMode = asset::AlphaMode::kMask;

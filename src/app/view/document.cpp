@@ -9,6 +9,7 @@
 #include <new>
 #include <set>
 
+#include "app/memory_option.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -23,13 +24,13 @@ std::string keyOf(const RenderOptions& options) {
                      options.rendererOptions.capacity.value_or(0), options.importance.string());
 }
 
-/// Runs a task; its failure becomes a value. @param file  named in a failure for lack of memory
+/// Runs a task; its failure becomes a value. @param file  named in a failure that is about a limit
 std::optional<Error> failureOf(const std::function<void()>& task, const std::filesystem::path& file) {
   try {
     task();
     return std::nullopt;
   } catch (const Error& error) {
-    return error;
+    return error.file().empty() && error.code() == ErrorCode::kLimit ? Error(error.code(), error.what(), file) : error;
   } catch (const std::bad_alloc&) {
     return Error(ErrorCode::kLimit, "out of memory", file);
   }
@@ -37,12 +38,13 @@ std::optional<Error> failureOf(const std::function<void()>& task, const std::fil
 
 }  // namespace
 
-Side::Side(const asset::SceneFile& file, const RenderOptions& options)
+Side::Side(const asset::SceneFile& file, const RenderOptions& options, const MemoryLimit& memory)
     : scene_(scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches})),
       rendererOptions_(options.rendererOptions),
       madeFor_(keyOf(options)) {
   if (!options.importance.empty()) importance_.emplace(asset::loadImage(options.importance));
   rendererOptions_.importance = importance_ ? &*importance_ : nullptr;
+  rendererOptions_.memory = memory;
   renderer_.emplace(scene_, options.width, options.height, rendererOptions_);
 }
 
@@ -74,15 +76,16 @@ void CameraChoice::applyTo(RenderOptions& options) const {
   options.freezeLook = freezePose ? std::optional(freezePose->look) : std::nullopt;
 }
 
-Document::Document(std::filesystem::path file, const CameraChoice& choice)
-    : camera(choice), file_(std::move(file)), watch_(file_) {}
+Document::Document(std::filesystem::path file, const CameraChoice& choice, const MemoryLimit& memory)
+    : camera(choice), file_(std::move(file)), memory_(memory), watch_(file_) {}
 
 void Document::read() {
   std::set<std::filesystem::path> files = {file_};
   const auto watchThem = [&] { watch_.watch({files.begin(), files.end()}); };
   try {
-    asset::SceneFile read = asset::readSceneFile(
-        file_, {}, [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
+    asset::SceneFile read =
+        readWithin(file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
+                   [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
     watchThem();
     const scene::SceneData flat = scene::buildScene(read);
     boundsWorld_ = flat.boundsWorld;
@@ -123,7 +126,7 @@ void Document::loadPath(bool refusesFrames) {
   if (!scene_) return;
   failures_[kPath] = {};
   try {
-    path_ = camera.path.empty() ? scene_->cameras : asset::readSceneFile(camera.path).cameras;
+    path_ = camera.path.empty() ? scene_->cameras : readWithin(camera.path, memory_, readingNeeds).cameras;
     if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
   } catch (const Error& error) {
     fail(kPath, error);
@@ -159,7 +162,7 @@ Side* Document::prepare(int index, const RenderOptions& options) {
     return false;
   };
   const bool made =
-      (side != nullptr && side->fits(options)) || attempt([&] { side = std::make_unique<Side>(*scene_, options); });
+      (side != nullptr && side->fits(options)) || attempt([&] { side = std::make_unique<Side>(*scene_, options, memory_); });
   // An older renderer stays in use and is resized too. If that fails, it is in an undefined state and is removed.
   if (side != nullptr && !attempt([&] { side->resize(options.width, options.height); }))
     side.reset();
@@ -180,7 +183,7 @@ std::string Document::rebuild(const RenderOptions (&options)[kSides]) {
   const auto build = [&] {
     for (std::size_t i = 0; i < kSides; ++i)
       if (sides_[i] != nullptr && scene_ && sides_[i]->fits(options[i]))
-        fresh[i] = std::make_unique<Side>(*scene_, options[i]);
+        fresh[i] = std::make_unique<Side>(*scene_, options[i], memory_);
   };
   if (const auto failure = failureOf(build, file_)) return failure->what();
   for (std::size_t i = 0; i < kSides; ++i)

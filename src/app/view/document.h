@@ -24,7 +24,8 @@ namespace jalousie::app {
 class Side {
  public:
   /// Errors: as FrameRenderer and loadImage.
-  Side(const asset::SceneFile& file, const RenderOptions& options);
+  /// @param memory  limit on the renderer
+  Side(const asset::SceneFile& file, const RenderOptions& options, const MemoryLimit& memory);
   Side(const Side&) = delete;
   Side& operator=(const Side&) = delete;
 
@@ -62,7 +63,8 @@ class Document {
   static constexpr int kSides = 2;
 
   /// Reads nothing yet: see load().
-  Document(std::filesystem::path file, const CameraChoice& camera);
+  /// @param memory  limit on the file with one configuration
+  Document(std::filesystem::path file, const CameraChoice& camera, const MemoryLimit& memory);
 
   const std::filesystem::path& file() const { return file_; }
   /// Reads the file. After a failure, the scene loaded before stays.
@@ -113,6 +115,7 @@ class Document {
   void read();
 
   std::filesystem::path file_;
+  MemoryLimit memory_;
   FileWatch watch_;
   bool wasLoaded_ = false;
   std::optional<asset::SceneFile> scene_;

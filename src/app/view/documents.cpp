@@ -60,7 +60,7 @@ void Documents::openOne(const std::filesystem::path& file) {
     return messages_.fail({ErrorCode::kUsage,
                            fmt::format("not opened: at most {} files can be shown side by side", kMostDocuments),
                            file});
-  documents_.push_back(std::make_unique<Document>(file, CameraChoice::of(options_.render)));
+  documents_.push_back(std::make_unique<Document>(file, CameraChoice::of(options_.render), options_.render.memory));
   state_.current = size() - 1;
   redraw_.scenesChanged();
 }

@@ -1,4 +1,5 @@
 // Declaration and checks of the options of `jalousie view`.
+#include "app/memory_option.h"
 #include "app/view/view_options.h"
 
 #include <CLI/CLI.hpp>
@@ -85,6 +86,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   addPictureOptions(command, options.render);
   addWindowOptions(command, options);
   addScriptOptions(command, options);
+  addMemoryOption(command, options.render.memory);
   command.footer(R"(Examples:
   jalousie view scene.glb
       drag to turn, wheel to zoom, right drag to look around, W A S D to fly, click to inspect, F1 for all keys

@@ -1,0 +1,105 @@
+// The option, and the peaks of the commands: which parts exist at the same time.
+#include "app/memory_option.h"
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "core/error.h"
+#include "policy/detail.h"
+#include "render/memory_needs.h"
+#include "scene/scene_memory.h"
+
+namespace jalousie::app {
+namespace {
+
+/// What every command has: the process, and with a renderer its programs.
+MemoryEstimate base() {
+  MemoryEstimate needs;
+  needs.add(1, render::kProgramBytes, "programs and shaders");
+  return needs;
+}
+
+MemoryEstimate sum(std::initializer_list<MemoryEstimate> parts) {
+  MemoryEstimate needs;
+  for (const MemoryEstimate& part : parts)
+    needs.add(part);
+  return needs;
+}
+
+MemoryEstimate larger(const MemoryEstimate& a, const MemoryEstimate& b) {
+  return a.bytes() >= b.bytes() ? a : b;
+}
+
+bool hasPatches(const RenderOptions& options) {
+  return rowOf(options.frameOptions.detail).patches;
+}
+
+/// Everything that one renderer allocates.
+MemoryEstimate rendererNeeds(const asset::SceneSize& size, const RenderOptions& options) {
+  return sum({render::bufferNeeds(size, hasPatches(options), options.rendererOptions),
+              render::targetNeeds(options.width, options.height), render::pictureNeeds(options.width, options.height)});
+}
+
+}  // namespace
+
+void addMemoryOption(CLI::App& command, MemoryLimit& limit) {
+  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
+  bytesWithUnit.description("");
+  command
+      .add_option("--max-memory", limit.bytes,
+                  "Refuse what would need more memory, on the host and on the GPU together, by an estimate made before "
+                  "it is allocated; bytes or with K, M, G; 0: no limit")
+      ->transform(bytesWithUnit)
+      ->type_name("SIZE")
+      ->default_str("2G");
+}
+
+void withFile(const std::filesystem::path& file, const std::function<void()>& task) {
+  try {
+    task();
+  } catch (const Error& error) {
+    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
+    throw Error(error.code(), error.what(), file);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kLimit, "out of memory", file);
+  }
+}
+
+asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
+                            const asset::ReadObserver& observer) {
+  return asset::readSceneFile(file, {}, observer,
+                              [&](const asset::SceneSize& size) { needs(size).require(limit, file); });
+}
+
+MemoryEstimate readingNeeds(const asset::SceneSize& size) {
+  return sum({scene::fileNeeds(size), scene::imageNeeds(size)});
+}
+
+MemoryEstimate flatNeeds(const asset::SceneSize& size) {
+  return sum({scene::fileNeeds(size), scene::imageNeeds(size), scene::sceneNeeds(size, false)});
+}
+
+MemoryEstimate renderNeeds(const asset::SceneSize& size, const RenderOptions& options) {
+  return sum({base(), scene::imageNeeds(size), scene::sceneNeeds(size, hasPatches(options)),
+              larger(scene::fileNeeds(size), rendererNeeds(size, options))});
+}
+
+MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& options) {
+  return sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, hasPatches(options)),
+              rendererNeeds(size, options)});
+}
+
+MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& comparison) {
+  // Two reference pictures with their prepared FLIP images, one test picture, and what preparing it takes.
+  constexpr std::uint64_t kPictureBytes = 2 * (4 + 20) + 4 + 44 + 16;
+  MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
+  if (comparison.patches) needs.add(scene::sceneNeeds(size, true));
+  const MemoryEstimate each = sum({render::bufferNeeds(size, comparison.patches, {}),
+                                   render::targetNeeds(comparison.width, comparison.height)});
+  needs.add(comparison.renderers, each.bytes(), each.largestItem());
+  if (comparison.pictures)
+    needs.add(std::uint64_t{comparison.width} * comparison.height, kPictureBytes, "pictures and their errors");
+  return needs;
+}
+
+}  // namespace jalousie::app

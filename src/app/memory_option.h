@@ -1,0 +1,53 @@
+// --max-memory: what a command may allocate, and how much it is about to.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+#include "app/render_options.h"
+#include "asset/scene_file.h"
+#include "core/memory_estimate.h"
+
+namespace CLI {
+class App;
+}
+
+namespace jalousie::app {
+
+/// Declares --max-memory on a subcommand; limit must outlive the parse.
+void addMemoryOption(CLI::App& command, MemoryLimit& limit);
+
+/// Runs a part of a command. Failures without a file get this one. Memory that runs out in spite of all estimates is a
+/// kLimit of this file.
+void withFile(const std::filesystem::path& file, const std::function<void()>& task);
+
+/// Estimated peak of a command, from the size of its scene.
+using Needs = std::function<MemoryEstimate(const asset::SceneSize& size)>;
+
+/// Reads a scene if the command's needs are within the limit. Errors: kLimit, before the scene is read; as
+/// readSceneFile.
+asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
+                            const asset::ReadObserver& observer = {});
+
+/// For cameras alone: the file and nothing else.
+MemoryEstimate readingNeeds(const asset::SceneSize& size);
+/// For a scene without a picture: the file and the flat arrays.
+MemoryEstimate flatNeeds(const asset::SceneSize& size);
+/// `jalousie render`: the file is gone when the renderer is made.
+MemoryEstimate renderNeeds(const asset::SceneSize& size, const RenderOptions& options);
+/// One configuration of the viewer: the file stays.
+MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& options);
+
+/// What experiments keep at the same time.
+struct ComparisonSize {
+  std::uint64_t renderers = 1;
+  bool patches = false;   ///< a second scene, for tessellation
+  bool pictures = false;  ///< they are compared with a reference
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+/// `jalousie compare`.
+MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& comparison);
+
+}  // namespace jalousie::app

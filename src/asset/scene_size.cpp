@@ -1,0 +1,142 @@
+// One walk over the nodes that a scene shows, as scene_file.cpp takes it, and counts instead of elements.
+#include "asset/scene_size.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+
+#include "asset/gltf_images.h"
+#include "asset/image_io.h"
+#include "asset/instancing.h"
+#include "asset/lod_chain.h"
+#include "asset/node_graph.h"
+
+namespace jalousie::asset {
+namespace {
+
+using tinygltf::Model;
+
+struct MeshSize {
+  std::uint64_t vertices = 0;
+  std::uint64_t indices = 0;
+};
+
+class Counter {
+ public:
+  Counter(const Model& model, const Limits& limits) : model_(model), limits_(limits) {}
+
+  SceneSize count() {
+    for (const tinygltf::Buffer& buffer : model_.buffers)
+      size_.documentBytes += buffer.data.size();
+    for (const tinygltf::Image& image : model_.images)
+      size_.documentBytes += image.image.size();
+    countImages();
+    std::vector<int> stack = sceneRoots(model_);
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      countNode(node);
+      const std::vector<int>& children = model_.nodes[static_cast<std::size_t>(node)].children;
+      stack.insert(stack.end(), children.begin(), children.end());
+    }
+    size_.cameraKeys = cameraKeys();
+    return std::move(size_);
+  }
+
+ private:
+  std::uint64_t elements(int accessor) const { return model_.accessors[static_cast<std::size_t>(accessor)].count; }
+
+  void countImages() {
+    std::set<int> known;
+    for (const tinygltf::Material& material : model_.materials) {
+      const tinygltf::TextureInfo& texture = material.pbrMetallicRoughness.baseColorTexture;
+      if (texture.index < 0 || texture.texCoord != 0) continue;
+      const int source = detail::imageOfTexture(model_.textures[static_cast<std::size_t>(texture.index)]);
+      if (source < 0 || !known.insert(source).second) continue;
+      size_.images.push_back(
+          detail::useImage(model_, static_cast<std::size_t>(source),
+                           [&](std::span<const std::byte> bytes) { return imageSize(bytes, limits_.images); }));
+    }
+  }
+
+  void countNode(int node) {
+    const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
+    if (source.camera >= 0) {
+      ++size_.cameras;
+      cameraNodes_.insert(node);
+    }
+    if (source.mesh < 0) return;
+    countChain(node);
+    size_.instances += std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
+  }
+
+  /// Chains of equal meshes are one.
+  void countChain(int node) {
+    std::vector<int> key = {model_.nodes[static_cast<std::size_t>(node)].mesh};
+    for (const int lower : lodNodes(model_, node))
+      key.push_back(model_.nodes[static_cast<std::size_t>(lower)].mesh);
+    MeshSize coarsest;
+    for (const int mesh : key)
+      coarsest = countMesh(mesh);
+    const std::size_t levels = key.size();
+    if (!chains_.insert(std::move(key)).second) return;
+    ++size_.chains;
+    size_.levels += levels;
+    size_.coarsestVertices += coarsest.vertices;
+    size_.coarsestIndices += coarsest.indices;
+  }
+
+  MeshSize countMesh(int mesh) {
+    const auto known = meshes_.find(mesh);
+    if (known != meshes_.end()) return known->second;
+    MeshSize size;
+    for (const tinygltf::Primitive& primitive : model_.meshes[static_cast<std::size_t>(mesh)].primitives) {
+      const auto position = primitive.attributes.find("POSITION");
+      if (primitive.mode < TINYGLTF_MODE_TRIANGLES || position == primitive.attributes.end()) continue;
+      const std::uint64_t vertices = elements(position->second);
+      std::uint64_t indices = primitive.indices >= 0 ? elements(primitive.indices) : vertices;
+      if (primitive.mode != TINYGLTF_MODE_TRIANGLES) indices *= 3;  // strips and fans become triangles
+      size.indices += indices;
+      size.vertices += primitive.attributes.contains("NORMAL") ? vertices : std::max(vertices, indices);
+    }
+    meshes_.emplace(mesh, size);
+    size_.vertices += size.vertices;
+    size_.indices += size.indices;
+    return size;
+  }
+
+  /// Keys of the channels that move cameras; channels that share their keys count once.
+  std::uint64_t cameraKeys() const {
+    std::set<std::tuple<int, int, std::string>> known;
+    std::uint64_t keys = 0;
+    for (const tinygltf::Animation& animation : model_.animations) {
+      for (const tinygltf::AnimationChannel& channel : animation.channels) {
+        if (!cameraNodes_.contains(channel.target_node)) continue;
+        const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
+        if (known.emplace(sampler.input, sampler.output, sampler.interpolation).second)
+          keys += elements(sampler.output) * (sampler.interpolation == "STEP" ? 2 : 1);
+      }
+    }
+    return keys;
+  }
+
+  const Model& model_;
+  const Limits& limits_;
+  SceneSize size_;
+  std::map<int, MeshSize> meshes_;
+  std::set<std::vector<int>> chains_;
+  std::set<int> cameraNodes_;
+};
+
+}  // namespace
+
+SceneSize measureScene(const Model& model, const Limits& limits) {
+  return Counter(model, limits).count();
+}
+
+}  // namespace jalousie::asset

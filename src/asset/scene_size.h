@@ -1,0 +1,35 @@
+// How much a document holds, counted from its JSON and the headers of its images.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "asset/image_io.h"
+#include "asset/read_limits.h"
+
+namespace tinygltf {
+class Model;
+}
+
+namespace jalousie::asset {
+
+/// Numbers of elements of a SceneFile.
+struct SceneSize {
+  std::uint64_t documentBytes = 0;  ///< of the loaded document's buffers and encoded images
+  std::uint64_t instances = 0;
+  std::uint64_t vertices = 0;  ///< of all meshes, each once; an own one per corner where a primitive has no normals
+  std::uint64_t indices = 0;
+  std::uint64_t chains = 0;
+  std::uint64_t levels = 0;           ///< of all chains
+  std::uint64_t coarsestVertices = 0;  ///< of the last level of each chain
+  std::uint64_t coarsestIndices = 0;
+  std::uint64_t cameras = 0;
+  std::uint64_t cameraKeys = 0;   ///< keys that cameras share count once
+  std::vector<ImageSize> images;  ///< base colour textures, in the order of SceneFile::images
+};
+
+/// Counts what readScene would read, without reading it: time and memory follow the size of the JSON.
+/// Errors: as readScene for what is looked at.
+SceneSize measureScene(const tinygltf::Model& model, const Limits& limits = {});
+
+}  // namespace jalousie::asset

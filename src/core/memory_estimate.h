@@ -1,0 +1,45 @@
+// What a task is about to allocate, added up before it allocates anything, and the limit on the sum.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace jalousie {
+
+/// A limit on memory, and the option that changes it.
+struct MemoryLimit {
+  std::uint64_t bytes = 0;     ///< 0: no limit
+  const char* option = nullptr;  ///< named in the refusal, e.g. "--max-memory"; null: none
+};
+
+/// The limit that programs have where none is given (docs/memory.md).
+inline constexpr std::uint64_t kDefaultMaxMemory = 2ULL << 30U;
+
+/// A sum of estimated allocations of one moment. Sums saturate.
+class MemoryEstimate {
+ public:
+  /// Adds `count` elements of `bytesEach`. @param what  they are, with their number: "16777216 instances"
+  void add(std::uint64_t count, std::uint64_t bytesEach, const std::string& what);
+  /// Adds the items of another estimate that are allocated at the same time.
+  void add(const MemoryEstimate& other);
+
+  std::uint64_t bytes() const { return bytes_; }
+  /// Largest single item; empty without items.
+  const std::string& largestItem() const { return largest_; }
+
+  /// Does nothing if the sum is within the limit. Errors: kLimit "FILE: needs about N MiB for WHAT, the limit is
+  /// M MiB; OPTION lifts it"; where the largest item is less than 9/10 of the sum: "needs about N MiB, K MiB of them for
+  /// WHAT, ...".
+  void require(const MemoryLimit& limit, const std::filesystem::path& file = {}) const;
+
+ private:
+  std::uint64_t bytes_ = 0;
+  std::uint64_t largestBytes_ = 0;
+  std::string largest_;
+};
+
+/// a * b, or the largest number where the product has no room.
+std::uint64_t saturatingProduct(std::uint64_t a, std::uint64_t b);
+
+}  // namespace jalousie

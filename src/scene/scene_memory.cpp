@@ -1,0 +1,78 @@
+// Bytes per element of the structs that a scene consists of on the host.
+#include "scene/scene_memory.h"
+
+#include <algorithm>
+#include <string>
+
+#include "asset/scene_types.h"
+#include "scene/scene_data.h"
+
+namespace jalousie::scene {
+namespace {
+
+constexpr std::uint64_t kBytesPerTexel = 4;
+/// Positions, normals, texture coordinates and colours of asset::Primitive.
+constexpr std::uint64_t kFileVertexBytes = 3 * sizeof(float) + 3 * sizeof(float) + 2 * sizeof(float) + 4 * sizeof(float);
+/// While a node's instances are read: packed bytes, then vectors.
+constexpr std::uint64_t kReadInstanceBytes = sizeof(glm::vec3) + sizeof(glm::quat) + sizeof(glm::vec3);
+constexpr std::uint64_t kKeyBytes = sizeof(float) + sizeof(glm::quat);
+/// Names, and the tables by which the reader finds what is there already.
+constexpr std::uint64_t kFileChainBytes = 512;
+
+}  // namespace
+
+std::string counted(std::uint64_t count, const char* noun) {
+  return std::to_string(count) + ' ' + noun;
+}
+
+SceneSize sizeOf(const SceneData& scene) {
+  SceneSize size;
+  size.instances = scene.objects.size();
+  size.vertices = scene.vertices.size();
+  size.indices = scene.indices.size();
+  size.chains = scene.chains.size();
+  size.levels = scene.lods.size();
+  size.cameras = scene.cameras.size();
+  for (const ImageRgba8& image : scene.textures.images)
+    size.images.push_back({image.width, image.height});
+  return size;
+}
+
+MemoryEstimate fileNeeds(const SceneSize& size) {
+  MemoryEstimate needs;
+  needs.add(size.documentBytes, 1, "the document");
+  needs.add(size.instances, sizeof(asset::Instance) + kReadInstanceBytes, counted(size.instances, "instances"));
+  needs.add(size.vertices, kFileVertexBytes, counted(size.vertices, "vertices"));
+  needs.add(size.indices, sizeof(std::uint32_t), counted(size.indices, "indices"));
+  needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
+  needs.add(size.cameras, sizeof(asset::Camera), counted(size.cameras, "cameras"));
+  needs.add(size.cameraKeys, kKeyBytes, counted(size.cameraKeys, "camera keys"));
+  return needs;
+}
+
+MemoryEstimate imageNeeds(const SceneSize& size) {
+  std::uint64_t largest = 0;
+  std::uint64_t texels = 0;
+  for (const asset::ImageSize& image : size.images) {
+    texels += std::uint64_t{image.width} * image.height;
+    largest = std::max(largest, std::uint64_t{image.width} * image.height);
+  }
+  MemoryEstimate needs;
+  needs.add(texels + largest, kBytesPerTexel, counted(size.images.size(), "textures"));  // one is decoded at a time
+  return needs;
+}
+
+MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
+  const std::uint64_t vertices = size.vertices + (patches ? size.coarsestVertices : 0);
+  const std::uint64_t indices = size.indices + (patches ? size.coarsestIndices : 0);
+  MemoryEstimate needs;
+  needs.add(size.instances, sizeof(gpu::Transform) + sizeof(gpu::Object) + sizeof(std::uint32_t) + sizeof(gpu::Tile),
+            counted(size.instances, "instances"));
+  needs.add(vertices, sizeof(Vertex), counted(vertices, "vertices"));
+  needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
+  needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
+  needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));
+  return needs;
+}
+
+}  // namespace jalousie::scene
