@@ -1,6 +1,7 @@
 // jalousie-scatter: writes copies of a baked object in a cube, with camera path and occluder, as one GLB.
 #include <fmt/format.h>
 
+#include <glm/gtc/quaternion.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,7 +21,16 @@ namespace {
 
 using namespace jalousie;
 
+/// Instances as vectors, in the document's buffer while it grows, and in the encoded file.
+void requireMemory(const scatter::Options& options) {
+  constexpr std::uint64_t kInstanceBytes = 2 * sizeof(glm::vec3) + sizeof(glm::quat);
+  MemoryEstimate needs;
+  needs.add(options.layout.count, 5 * kInstanceBytes, fmt::format("{} objects", options.layout.count));
+  needs.require(options.memory, options.input);
+}
+
 void scatterFile(const scatter::Options& options) {
+  requireMemory(options);
   scatter::ScatteredScene scene;
   {
     Progress progress("scattering", options.layout.count, options.quiet);
@@ -39,13 +49,7 @@ int run(int argc, char** argv) {
   if (!options) return 0;
   checkOutputs(std::vector<NamedFile>{{"-o", options->output}, {"--json", options->report, true}},
                std::vector{options->input});
-  try {
-    scatterFile(*options);
-  } catch (const Error& error) {
-    // Errors about the input's content carry no path of their own.
-    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
-    throw Error(error.code(), error.what(), options->input);
-  }
+  cli::withFile(options->input, [&] { scatterFile(*options); });
   return 0;
 }
 

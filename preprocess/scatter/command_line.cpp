@@ -187,6 +187,15 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   const CLI::Option* cover = addOccluderOptions(app, given);
   app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON; - for standard output")
       ->type_name("REPORT");
+  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
+  bytesWithUnit.description("");
+  app.add_option(
+         "--max-memory", options.memory.bytes,
+         "Refuse a count that would need more memory, by an estimate made before it is allocated; bytes or with "
+         "K, M, G; 0: no limit")
+      ->transform(bytesWithUnit)
+      ->type_name("SIZE")
+      ->default_str("2G");
   app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
   if (!cli::parse(app, argc, argv)) return std::nullopt;
   options.layout = resolveLayout(given, seed);

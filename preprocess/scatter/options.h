@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/memory_estimate.h"
+
 namespace jalousie::scatter {
 
 enum class Rotation {
@@ -48,6 +50,7 @@ struct Options {
   std::filesystem::path report;  ///< JSON; none if empty; "-": standard output
   Layout layout;
   std::optional<Occluder> occluder;
+  MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
   bool quiet = false;
 };
 

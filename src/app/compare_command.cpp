@@ -183,9 +183,8 @@ int compareScene(const CompareOptions& options) {
   const bool pictures = options.reference != "none";
   const ComparisonSize comparison{setup.configurations.size() + (pictures ? 1 : 0), setup.patches, pictures,
                                   options.width, options.height};
-  const asset::SceneFile file = readWithin(options.scene, options.memory, [&](const asset::SceneSize& size) {
-    return compareNeeds(size, comparison);
-  });
+  const asset::SceneFile file = readWithin(
+      options.scene, options.memory, [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); });
   const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);

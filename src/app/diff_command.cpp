@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
 
+#include "app/memory_option.h"
 #include "app/number_option.h"
 #include "asset/image_io.h"
 #include "core/error.h"
@@ -25,6 +28,95 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
                      psnr.is_null() ? "equal pictures" : fmt::format("{:.4f} dB", psnr.get<double>()));
 }
 
+/// Bytes of the largest picture file read.
+constexpr std::uint64_t kMaxFileBytes = 1ULL << 30U;
+constexpr std::uint32_t kMaxSide = 16384;  // pixels
+
+/// A picture that is not decoded yet.
+struct EncodedPicture {
+  std::filesystem::path file;
+  std::vector<std::byte> bytes;
+  asset::ImageSize size;
+
+  explicit EncodedPicture(const std::filesystem::path& path)
+      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, kMaxSide, path)) {}
+  ImageRgba8 decoded() const { return asset::decodeImage(bytes, kMaxSide, file); }
+};
+
+/// Errors: kUsage.
+void checkSizes(const EncodedPicture& reference, const EncodedPicture& test) {
+  const asset::ImageSize a = reference.size;
+  const asset::ImageSize b = test.size;
+  if (a.width != b.width || a.height != b.height)
+    throw Error(ErrorCode::kUsage,
+                fmt::format("has {}x{} pixels and the reference {}x{}; pictures must have the same size to be compared",
+                            b.width, b.height, a.width, a.height),
+                test.file);
+  if (std::min(a.width, a.height) < compare::kLeastSsimSide)
+    throw Error(ErrorCode::kUsage, fmt::format("has fewer than {0}x{0} pixels", compare::kLeastSsimSide),
+                reference.file);
+}
+
+/// Both pictures, the decoder's copy of the second one, a strip of FLIP, and the error map as a picture.
+MemoryEstimate diffNeeds(const asset::ImageSize& size, const DiffOptions& options) {
+  constexpr std::uint64_t kStripBytes = 2 * 20 + 40;  // two prepared pictures, and what preparing one takes
+  constexpr std::uint64_t kMapBytes = 4 + 16;         // picture and encoder
+  const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
+  const std::uint64_t rows = std::min<std::uint64_t>(
+      size.height, compare::kFlipStripRows + 2 * compare::flipMarginRows(options.pixelsPerDegree));
+  MemoryEstimate needs;
+  needs.add(pixels, 3 * 4, fmt::format("two pictures of {}x{} pixels", size.width, size.height));
+  needs.add(rows * size.width, kStripBytes, "FLIP of a strip");
+  if (!options.output.empty()) needs.add(pixels, kMapBytes, "the error map");
+  return needs;
+}
+
+/// FLIP of all pixels. @param picture  of the errors, appended to if not null
+struct FlipFigures {
+  double sum = 0.0;
+  float largest = 0.0F;
+};
+FlipFigures measureFlip(const ImageRgba8& reference, const ImageRgba8& test, double pixelsPerDegree,
+                        ImageRgba8* picture) {
+  FlipFigures figures;
+  compare::flipStrips(reference, test, pixelsPerDegree, [&](std::span<const float> values) {
+    for (const float value : values) {
+      figures.sum += value;
+      figures.largest = std::max(figures.largest, value);
+    }
+    if (picture == nullptr) return;
+    const auto rows = static_cast<std::uint32_t>(values.size() / reference.width);
+    const ImageRgba8 strip = compare::errorPicture({values.begin(), values.end()}, reference.width, rows);
+    picture->pixels.insert(picture->pixels.end(), strip.pixels.begin(), strip.pixels.end());
+  });
+  return figures;
+}
+
+void diff(const DiffOptions& options) {
+  const EncodedPicture encodedReference(options.reference);
+  const EncodedPicture encodedTest(options.test);
+  checkSizes(encodedReference, encodedTest);
+  diffNeeds(encodedReference.size, options).require(options.memory, options.reference);
+  const ImageRgba8 reference = encodedReference.decoded();
+  const ImageRgba8 test = encodedTest.decoded();
+  ImageRgba8 map{reference.width, reference.height, {}};
+  if (!options.output.empty()) map.pixels.reserve(reference.pixels.size());
+  const FlipFigures flip =
+      measureFlip(reference, test, options.pixelsPerDegree, options.output.empty() ? nullptr : &map);
+  const double psnr = compare::psnr(reference, test);
+  nlohmann::ordered_json figures;
+  figures["width"] = reference.width;
+  figures["height"] = reference.height;
+  figures["flip"] = flip.sum / (static_cast<double>(reference.width) * reference.height);
+  figures["flip_largest"] = static_cast<double>(flip.largest);
+  figures["pixels_per_degree"] = options.pixelsPerDegree;
+  figures["ssim"] = compare::ssim(reference, test);
+  figures["psnr"] = std::isfinite(psnr) ? nlohmann::ordered_json(psnr) : nlohmann::ordered_json();
+  if (!options.output.empty()) asset::savePng(map, options.output);
+  if (!options.json.empty()) writeText(options.json, figures.dump(2) + "\n");
+  if (options.json != kStandardOutput) printOutput(text(options, figures));
+}
+
 }  // namespace
 
 void addDiffOptions(CLI::App& command, DiffOptions& o) {
@@ -38,6 +130,7 @@ void addDiffOptions(CLI::App& command, DiffOptions& o) {
   addNumber(command, "--ppd", o.pixelsPerDegree, {compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree},
             "Resolution at the viewing distance that FLIP assumes; 67.02 is that of a 4K monitor, 0.7 m wide, seen "
             "from 0.7 m; pixels per degree of visual angle");
+  addMemoryOption(command, o.memory);
   command.footer(R"(The alpha channel is ignored.
 Examples:
   jalousie diff finest.png lod.png
@@ -50,31 +143,7 @@ Examples:
 void runDiff(const DiffOptions& options) {
   checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
                std::vector{options.reference, options.test});
-  const ImageRgba8 reference = asset::loadImage(options.reference);
-  const ImageRgba8 test = asset::loadImage(options.test);
-  if (reference.width != test.width || reference.height != test.height)
-    throw Error(ErrorCode::kUsage,
-                fmt::format("has {}x{} pixels and the reference {}x{}; pictures must have the same size to be compared",
-                            test.width, test.height, reference.width, reference.height),
-                options.test);
-  if (std::min(reference.width, reference.height) < compare::kLeastSsimSide)
-    throw Error(ErrorCode::kUsage, fmt::format("has fewer than {0}x{0} pixels", compare::kLeastSsimSide),
-                options.reference);
-  const std::vector<float> map = compare::flipMap(compare::FlipImage(reference, options.pixelsPerDegree),
-                                                  compare::FlipImage(test, options.pixelsPerDegree));
-  const double psnr = compare::psnr(reference, test);
-  nlohmann::ordered_json figures;
-  figures["width"] = reference.width;
-  figures["height"] = reference.height;
-  figures["flip"] = compare::mean(map);
-  figures["flip_largest"] = static_cast<double>(*std::max_element(map.begin(), map.end()));
-  figures["pixels_per_degree"] = options.pixelsPerDegree;
-  figures["ssim"] = compare::ssim(reference, test);
-  figures["psnr"] = std::isfinite(psnr) ? nlohmann::ordered_json(psnr) : nlohmann::ordered_json();
-  if (!options.output.empty())
-    asset::savePng(compare::errorPicture(map, reference.width, reference.height), options.output);
-  if (!options.json.empty()) writeText(options.json, figures.dump(2) + "\n");
-  if (options.json != kStandardOutput) printOutput(text(options, figures));
+  cli::withFile(options.reference, [&] { diff(options); });
 }
 
 }  // namespace jalousie::app

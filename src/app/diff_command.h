@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compare/image_error.h"
+#include "core/memory_estimate.h"
 
 namespace CLI {
 class App;
@@ -17,6 +18,7 @@ struct DiffOptions {
   std::filesystem::path test;
   std::filesystem::path output;  ///< of the error map; empty: none
   std::string json;              ///< file; "-": standard output; empty: none
+  MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
 };
 

@@ -94,8 +94,8 @@ MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& 
   constexpr std::uint64_t kPictureBytes = 2 * (4 + 20) + 4 + 44 + 16;
   MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
   if (comparison.patches) needs.add(scene::sceneNeeds(size, true));
-  const MemoryEstimate each = sum({render::bufferNeeds(size, comparison.patches, {}),
-                                   render::targetNeeds(comparison.width, comparison.height)});
+  const MemoryEstimate each = sum(
+      {render::bufferNeeds(size, comparison.patches, {}), render::targetNeeds(comparison.width, comparison.height)});
   needs.add(comparison.renderers, each.bytes(), each.largestItem());
   if (comparison.pictures)
     needs.add(std::uint64_t{comparison.width} * comparison.height, kPictureBytes, "pictures and their errors");

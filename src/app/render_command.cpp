@@ -31,9 +31,8 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 
 /// The file itself is gone afterwards.
 scene::SceneData loadScene(const RenderOptions& options) {
-  const asset::SceneFile file = readWithin(options.scene, options.memory, [&](const asset::SceneSize& size) {
-    return renderNeeds(size, options);
-  });
+  const asset::SceneFile file = readWithin(options.scene, options.memory,
+                                           [&](const asset::SceneSize& size) { return renderNeeds(size, options); });
   return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
 }
 

@@ -122,9 +122,8 @@ Instances readInstances(const tinygltf::Model& model, int node, const Limits& li
   Instances instances;
   instances.translations = found.translation >= 0 ? readVec3(model, found.translation, limits.maxInstances)
                                                   : std::vector<glm::vec3>(found.count, glm::vec3(0.0F));
-  instances.rotations = found.rotation >= 0
-                            ? readQuaternions(model, found.rotation, limits.maxInstances)
-                            : std::vector<glm::quat>(found.count, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+  instances.rotations = found.rotation >= 0 ? readQuaternions(model, found.rotation, limits.maxInstances)
+                                            : std::vector<glm::quat>(found.count, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
   instances.scales = found.scale >= 0 ? readVec3(model, found.scale, limits.maxInstances)
                                       : std::vector<glm::vec3>(found.count, glm::vec3(1.0F));
   return instances;

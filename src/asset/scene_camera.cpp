@@ -81,8 +81,8 @@ CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits) :
 }
 
 template <class Value, class Read>
-const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table,
-                                                      const tinygltf::AnimationSampler& sampler, const Read& read) {
+const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table, const tinygltf::AnimationSampler& sampler,
+                                                      const Read& read) {
   const auto [place, isNew] = table.try_emplace({sampler.input, sampler.output, sampler.interpolation});
   Keys<Value>& keys = place->second;
   if (!isNew) return keys;
@@ -118,8 +118,7 @@ CameraTrack CameraReader::trackOf(int node) {
   return track;
 }
 
-std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromParent,
-                                         const glm::dmat4& worldFromNode) {
+std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode) {
   const int index = model_.nodes[static_cast<std::size_t>(node)].camera;
   const tinygltf::Camera& source = model_.cameras[static_cast<std::size_t>(index)];
   if (source.type != "perspective") return std::nullopt;

@@ -23,8 +23,8 @@ using SizeCheck = std::function<void(const SceneSize& size)>;
 /// that linear interpolation repeats the steps. Errors: as loadGltf; kMalformed for NaN or infinite positions and
 /// transforms; kLimit.
 /// @param check  called with the scene's size before anything of it is allocated; refuses by throwing; may be empty
-SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {},
-                        const ReadObserver& observer = {}, const SizeCheck& check = {});
+SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits = {}, const ReadObserver& observer = {},
+                        const SizeCheck& check = {});
 /// As readSceneFile, for a document that is loaded already. @param path  the document's file, for messages
 SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {},
                     const SizeCheck& check = {});

@@ -101,11 +101,17 @@ constexpr GaussianTerm kRedGreen[] = {{1.0, 0.0053}};
 constexpr GaussianTerm kBlueYellow[] = {{34.1, 0.04}, {13.5, 0.025}};
 constexpr double kWidestB = 0.04;
 
+/// Half the width of the contrast sensitivity filters, pixels.
+int sensitivityRadius(double pixelsPerDegree) {
+  constexpr double kPi = std::numbers::pi;
+  return static_cast<int>(std::ceil(3.0 * std::sqrt(kWidestB / (2.0 * kPi * kPi)) * pixelsPerDegree));
+}
+
 /// 4.1.1: filters a channel by contrast sensitivity. Each Gaussian is separable; the weights of all terms add up to 1.
 Plane spatiallyFiltered(const Plane& channel, std::uint32_t width, std::uint32_t height,
                         std::span<const GaussianTerm> terms, double pixelsPerDegree) {
   constexpr double kPi = std::numbers::pi;
-  const auto radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidestB / (2.0 * kPi * kPi)) * pixelsPerDegree));
+  const int radius = sensitivityRadius(pixelsPerDegree);
   std::vector<std::vector<double>> profiles;
   double total = 0.0;
   for (const GaussianTerm& term : terms) {
@@ -285,6 +291,32 @@ std::vector<float> flipMap(const FlipImage& reference, const FlipImage& test) {
     map[i] = static_cast<float>(std::clamp(std::pow(color, 1.0 - feature), 0.0, 1.0));
   }
   return map;
+}
+
+std::uint32_t flipMarginRows(double pixelsPerDegree) {
+  const auto feature = static_cast<int>(std::ceil(1.5 * kFeatureDegrees * pixelsPerDegree));
+  return static_cast<std::uint32_t>(std::max(sensitivityRadius(pixelsPerDegree), feature));
+}
+
+void flipStrips(const ImageRgba8& reference, const ImageRgba8& test, double pixelsPerDegree,
+                const std::function<void(std::span<const float> values)>& take) {
+  JAL_CHECK(reference.width == test.width);
+  JAL_CHECK(reference.height == test.height);
+  const std::uint32_t margin = flipMarginRows(pixelsPerDegree);
+  const auto rows = [](const ImageRgba8& image, std::uint32_t first, std::uint32_t end) {
+    const auto at = [&](std::uint32_t y) {
+      return image.pixels.begin() + static_cast<std::ptrdiff_t>(image.offset(0, y));
+    };
+    return ImageRgba8{image.width, end - first, {at(first), at(end)}};
+  };
+  for (std::uint32_t y = 0; y < reference.height; y += kFlipStripRows) {
+    const std::uint32_t end = std::min(y + kFlipStripRows, reference.height);
+    const std::uint32_t firstRow = y - std::min(y, margin);
+    const std::uint32_t endRow = std::min(end + margin, reference.height);
+    const std::vector<float> map = flipMap(FlipImage(rows(reference, firstRow, endRow), pixelsPerDegree),
+                                           FlipImage(rows(test, firstRow, endRow), pixelsPerDegree));
+    take(std::span(map).subspan(std::size_t{y - firstRow} * reference.width, std::size_t{end - y} * reference.width));
+  }
 }
 
 ImageRgba8 errorPicture(const std::vector<float>& map, std::uint32_t width, std::uint32_t height) {

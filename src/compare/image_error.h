@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -48,6 +50,17 @@ class FlipImage {
 
 /// LDR-FLIP per pixel, in [0, 1]; row 0 at the top. @pre equal sizes (checked)
 std::vector<float> flipMap(const FlipImage& reference, const FlipImage& test);
+
+/// Rows of a strip of flipStrips, without its margins.
+inline constexpr std::uint32_t kFlipStripRows = 128;
+
+/// Rows above and below a pixel that its FLIP value depends on.
+std::uint32_t flipMarginRows(double pixelsPerDegree);
+
+/// flipMap in strips of rows, from the top, with the same values bit for bit. Memory follows the size of a strip with
+/// its margins, not of the pictures. @param take  called with the values of each strip   @pre equal sizes (checked)
+void flipStrips(const ImageRgba8& reference, const ImageRgba8& test, double pixelsPerDegree,
+                const std::function<void(std::span<const float> values)>& take);
 
 /// Mean of a map; 0 for an empty one.
 double mean(const std::vector<float>& map);

@@ -9,7 +9,7 @@ namespace jalousie {
 
 /// A limit on memory, and the option that changes it.
 struct MemoryLimit {
-  std::uint64_t bytes = 0;     ///< 0: no limit
+  std::uint64_t bytes = 0;       ///< 0: no limit
   const char* option = nullptr;  ///< named in the refusal, e.g. "--max-memory"; null: none
 };
 
@@ -29,8 +29,8 @@ class MemoryEstimate {
   const std::string& largestItem() const { return largest_; }
 
   /// Does nothing if the sum is within the limit. Errors: kLimit "FILE: needs about N MiB for WHAT, the limit is
-  /// M MiB; OPTION lifts it"; where the largest item is less than 9/10 of the sum: "needs about N MiB, K MiB of them for
-  /// WHAT, ...".
+  /// M MiB; OPTION lifts it"; where the largest item is less than nine tenths of the sum: "needs about N MiB, K MiB of
+  /// them for WHAT, ...".
   void require(const MemoryLimit& limit, const std::filesystem::path& file = {}) const;
 
  private:

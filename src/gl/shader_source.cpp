@@ -36,7 +36,8 @@ void expand(std::string_view name, std::span<const std::string_view> defines, co
       for (const std::string_view define : defines) {
         const std::size_t equals = define.find('=');
         const bool hasValue = equals != std::string_view::npos;
-        result.text += fmt::format("#define {} {}\n", define.substr(0, equals), hasValue ? define.substr(equals + 1) : "1");
+        result.text +=
+            fmt::format("#define {} {}\n", define.substr(0, equals), hasValue ? define.substr(equals + 1) : "1");
       }
       result.text += fmt::format("#line {} {}\n", line + 1, file);
     } else if (const std::string_view included = includedName(current); !included.empty()) {

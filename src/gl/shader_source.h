@@ -42,8 +42,9 @@ struct ExpandedShader {
   std::vector<std::string> files;  ///< source string number -> name, for reading a compiler's log
 };
 
-/// Expands `#include "name"` once per file, keeps line numbers with #line, and puts every define behind #version: NAME as `#define
-/// NAME 1`, NAME=VALUE as `#define NAME VALUE`. Errors: kShader (unknown file, no #version in the first file).
+/// Expands `#include "name"` once per file, keeps line numbers with #line, and puts every define behind #version: NAME
+/// as `#define NAME 1`, NAME=VALUE as `#define NAME VALUE`. Errors: kShader (unknown file, no #version in the first
+/// file).
 ExpandedShader expandShader(std::string_view name, std::span<const std::string_view> defines,
                             const ShaderLibrary& library = {});
 

@@ -44,7 +44,8 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   // Two bins per level: a command in every list and a count per tile, of which a chain has one for 64 objects.
   const std::uint64_t commands = kLists * (patches ? gpu::kListCount : gpu::kListsPerDetail);
-  needs.add(size.levels, sizeof(gpu::Lod) + 2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
+  needs.add(size.levels,
+            sizeof(gpu::Lod) + 2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
             counted(size.levels, "levels"));
   std::uint64_t texels = 0;
   for (const scene::TextureClass& size_ : scene::layoutTextures(size.images).classes)

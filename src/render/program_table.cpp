@@ -22,10 +22,9 @@ Stages patchStages(const char* fragments) {
 }  // namespace
 
 std::string_view textureClassesDefine(std::uint32_t count) {
-  static constexpr std::string_view kDefines[] = {"JAL_TEXTURE_CLASSES=1", "JAL_TEXTURE_CLASSES=2",
-                                                  "JAL_TEXTURE_CLASSES=3", "JAL_TEXTURE_CLASSES=4",
-                                                  "JAL_TEXTURE_CLASSES=5", "JAL_TEXTURE_CLASSES=6",
-                                                  "JAL_TEXTURE_CLASSES=7", "JAL_TEXTURE_CLASSES=8"};
+  static constexpr std::string_view kDefines[] = {
+      "JAL_TEXTURE_CLASSES=1", "JAL_TEXTURE_CLASSES=2", "JAL_TEXTURE_CLASSES=3", "JAL_TEXTURE_CLASSES=4",
+      "JAL_TEXTURE_CLASSES=5", "JAL_TEXTURE_CLASSES=6", "JAL_TEXTURE_CLASSES=7", "JAL_TEXTURE_CLASSES=8"};
   static_assert(std::size(kDefines) == gpu::kTextureClasses);
   JAL_CHECK(count >= 1U);
   JAL_CHECK(count <= gpu::kTextureClasses);

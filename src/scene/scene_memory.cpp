@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t kBytesPerTexel = 4;
 /// Positions, normals, texture coordinates and colours of asset::Primitive.
-constexpr std::uint64_t kFileVertexBytes = 3 * sizeof(float) + 3 * sizeof(float) + 2 * sizeof(float) + 4 * sizeof(float);
+constexpr std::uint64_t kFileVertexBytes =
+    3 * sizeof(float) + 3 * sizeof(float) + 2 * sizeof(float) + 4 * sizeof(float);
 /// While a node's instances are read: packed bytes, then vectors.
 constexpr std::uint64_t kReadInstanceBytes = sizeof(glm::vec3) + sizeof(glm::quat) + sizeof(glm::vec3);
 constexpr std::uint64_t kKeyBytes = sizeof(float) + sizeof(glm::quat);

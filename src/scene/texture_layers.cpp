@@ -42,7 +42,8 @@ void averageTexel(const ImageRgba8& fine, std::uint32_t x, std::uint32_t y, std:
   std::array<float, 3> plain = {};
   float alpha = 0.0F;
   for (std::uint32_t k = 0; k < 4; ++k) {
-    const std::uint8_t* texel = &fine.pixels[fine.offset(std::min(2 * x + (k & 1U), fine.width - 1), std::min(2 * y + (k >> 1U), fine.height - 1))];
+    const std::uint8_t* texel = &fine.pixels[fine.offset(std::min(2 * x + (k & 1U), fine.width - 1),
+                                                         std::min(2 * y + (k >> 1U), fine.height - 1))];
     alpha += texel[3];
     for (std::size_t c = 0; c < 3; ++c) {
       weighted[c] += static_cast<float>(texel[3]) * linear[texel[c]];

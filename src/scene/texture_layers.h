@@ -47,7 +47,7 @@ TextureLayout layoutTextures(std::span<const asset::ImageSize> images, std::uint
 /// Images and where they lie. Layers are made one at a time by makeLayer.
 struct TextureLayers {
   TextureLayout layout;
-  SharedVector<ImageRgba8> images;                ///< as read; may be emptied when the layers are uploaded
+  SharedVector<ImageRgba8> images;                 ///< as read; may be emptied when the layers are uploaded
   std::vector<std::optional<float>> alphaCutoffs;  ///< per image, for makeMipLevels
 };
 

@@ -4,8 +4,8 @@
 #include "core/check.h"
 #include "policy/traits.h"
 #include "shared/limits.h"
-#include "visibility/level_of_visibility.h"
 #include "visibility/dispatch.h"
+#include "visibility/level_of_visibility.h"
 #include "visibility/program_table.h"
 
 namespace jalousie::visibility {

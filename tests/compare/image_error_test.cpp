@@ -684,5 +684,21 @@ TEST_F(Ffmpeg, HasTheSameSsim) {
     EXPECT_NEAR(ssim(a, b), says("ssim", "All:", a, b), 1e-5);
 }
 
+TEST(Flip, StripsHaveTheValuesOfTheWholePicture) {
+  Random random(11);
+  ImageRgba8 a{40, 300, std::vector<std::uint8_t>(std::size_t{4} * 40 * 300)};
+  ImageRgba8 b = a;
+  for (std::uint8_t& value : a.pixels)
+    value = static_cast<std::uint8_t>(random.below(256));
+  for (std::uint8_t& value : b.pixels)
+    value = static_cast<std::uint8_t>(random.below(256));
+  for (const double pixelsPerDegree : {20.0, kDefaultPixelsPerDegree, 300.0}) {
+    std::vector<float> joined;
+    flipStrips(a, b, pixelsPerDegree,
+               [&](std::span<const float> values) { joined.insert(joined.end(), values.begin(), values.end()); });
+    EXPECT_EQ(joined, flipMap(FlipImage(a, pixelsPerDegree), FlipImage(b, pixelsPerDegree))) << pixelsPerDegree;
+  }
+}
+
 }  // namespace
 }  // namespace jalousie::compare

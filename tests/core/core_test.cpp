@@ -21,6 +21,7 @@
 #include "core/folder_lock.h"
 #include "core/interruption.h"
 #include "core/median.h"
+#include "core/memory_estimate.h"
 #include "core/random.h"
 #include "core/standard_streams.h"
 #include "support/run_program.h"
@@ -47,6 +48,35 @@ TEST(Error, IsOneLineThatNamesTheFile) {
   EXPECT_STREQ(error.what(), "some/file.ply: line one line two !");
   EXPECT_EQ(error.exitCode(), 5);
   EXPECT_EQ(errorName(error.code()), "malformed");
+}
+
+TEST(MemoryEstimate, RefusesWithNeedItemLimitAndOption) {
+  MemoryEstimate needs;
+  needs.add(16, 1U << 20U, "16 instances");
+  EXPECT_NO_THROW(needs.require({16U << 20U, "--max-memory"}, "scene.glb")) << "exactly the limit is allowed";
+  EXPECT_NO_THROW(needs.require({0, "--max-memory"}, "scene.glb")) << "0 is no limit";
+  const auto refusal = [&](const MemoryLimit& limit) -> std::string {
+    try {
+      needs.require(limit, "scene.glb");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kLimit);
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal({8U << 20U, "--max-memory"}),
+            "scene.glb: needs about 16 MiB for 16 instances, the limit is 8 MiB; --max-memory lifts it");
+  needs.add(1, 10U << 20U, "textures");
+  EXPECT_EQ(refusal({8U << 20U, nullptr}),
+            "scene.glb: needs about 26 MiB, 16 MiB of them for 16 instances, the limit is 8 MiB");
+}
+
+TEST(MemoryEstimate, SumsAndProductsDoNotWrap) {
+  MemoryEstimate needs;
+  needs.add(~std::uint64_t{0} / 2, 3, "many");
+  needs.add(5, 5, "few");
+  EXPECT_EQ(needs.bytes(), ~std::uint64_t{0});
+  EXPECT_EQ(needs.largestItem(), "many");
 }
 
 TEST(Check, FailureAbortsAndShowsBothValues) {

@@ -92,5 +92,40 @@ TEST_F(GoldenGl, MaskedBlendedMirroredAndTexturedSurfaces) {
   EXPECT_TRUE(test::matchesGolden(renderer.readImage(), "surfaces"));
 }
 
+/// Textures of every class side by side: neighbouring fragments fetch from different arrays.
+TEST_F(GoldenGl, TexturesOfDifferentSizesKeepTheirColours) {
+  const std::uint8_t colors[4][3] = {{230, 20, 20}, {20, 230, 20}, {20, 20, 230}, {230, 230, 20}};
+  const std::uint32_t sizes[4][2] = {{256, 256}, {512, 16}, {8, 256}, {64, 64}};
+  asset::SceneFile file = test::sphereChain(1);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    ImageRgba8 image{sizes[i][0], sizes[i][1],
+                     std::vector<std::uint8_t>(std::size_t{4} * sizes[i][0] * sizes[i][1], 255)};
+    for (std::size_t p = 0; p < image.pixels.size(); ++p)
+      if (p % 4 < 3) image.pixels[p] = colors[i][p % 4];
+    file.images.edit().push_back(image);
+    asset::Material material;
+    material.image = i;
+    file.materials.push_back(material);
+    file.meshes.push_back({"box", {test::box(glm::vec3(0.5F), i + 1)}});
+    file.chains.push_back({"box", {{i + 1, 0.0F}}});
+    test::addInstance(file, i + 1, {static_cast<float>(i % 2) - 0.5F, static_cast<float>(i / 2) - 0.5F, 0},
+                      glm::vec3(1));
+  }
+  const scene::SceneData scene = scene::buildScene(file);
+  ASSERT_GT(scene.textures.layout.classes.size(), 1U);
+  FrameRenderer renderer(scene, 64, 64);
+  const scene::Camera camera = scene::lookAt({0, 0, 3}, {0, 0, 0}, scene.boundsWorld);
+  FrameOptions options;
+  options.cullMode = CullMode::kFrustum;
+  options.lodRule = LodRule::kFinest;
+  renderer.render(options, camera, camera);
+  const ImageRgba8 picture = renderer.readImage();
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint8_t* pixel = &picture.pixels[picture.offset(i % 2 == 0 ? 25 : 38, i / 2 == 0 ? 38 : 25)];
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(pixel[c] > 90, colors[i][c] > 90) << "box " << i << ", channel " << c << ": " << int{pixel[c]};
+  }
+}
+
 }  // namespace
 }  // namespace jalousie::render

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdlib>
 #include <filesystem>
 
 #include "asset/scene_file.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "scene/scene_memory.h"
 #include "scene/texture_layers.h"
 #include "support/error_code.h"
 #include "support/scenes.h"
@@ -91,19 +93,87 @@ TEST(SceneData, NormalsPackIntoTenBitsASide) {
   EXPECT_EQ(packNormal({0, 0, 1}), 0x1ffU << 20);
 }
 
-TEST(TextureLayers, TakeTheSmallestPowerOfTwoThatHoldsAll) {
+TEST(TextureLayers, AreThePowersOfTwoThatHoldEachImage) {
   const ImageRgba8 small{3, 5, std::vector<std::uint8_t>(60, 100)};
   const ImageRgba8 wide{20, 2, std::vector<std::uint8_t>(160, 200)};
-  const TextureLayers layers = makeTextureLayers({small, wide});
-  EXPECT_EQ(layers.side, 32U);
-  ASSERT_EQ(layers.layers.size(), 2U);
-  for (const std::vector<ImageRgba8>& levels : layers.layers) {
-    ASSERT_EQ(levels.size(), 6U);
-    EXPECT_EQ(levels[0].pixels.size(), 32U * 32 * 4);
-    EXPECT_EQ(levels[5].pixels.size(), 4U);
+  const TextureLayers textures = makeTextureLayers({small, wide});
+  ASSERT_EQ(textures.layout.classes.size(), 2U);
+  const std::vector<ImageRgba8> narrow = makeLayer(textures, 0);
+  EXPECT_EQ(narrow[0].width, 4U);
+  EXPECT_EQ(narrow[0].height, 8U);
+  const std::vector<ImageRgba8> flat = makeLayer(textures, 1);
+  ASSERT_EQ(flat.size(), 6U) << "32x2, 16x1, 8x1, 4x1, 2x1, 1x1";
+  EXPECT_EQ(flat[1].width, 16U);
+  EXPECT_EQ(flat[1].height, 1U);
+  EXPECT_EQ(flat[5].pixels.size(), 4U);
+  EXPECT_NEAR(flat[0].pixels[100], 200, 1);
+  EXPECT_NEAR(flat[5].pixels[0], 200, 1);
+  const TextureLayers limited = makeTextureLayers({small, wide}, {}, 16);
+  EXPECT_EQ(makeLayer(limited, 1)[0].width, 16U);
+}
+
+/// Texels of the layers, and those that the images need at the powers of two above their sides.
+struct Texels {
+  std::uint64_t laidOut = 0;
+  std::uint64_t needed = 0;
+};
+
+Texels checkLayout(const std::vector<asset::ImageSize>& sizes) {
+  const TextureLayout layout = layoutTextures(sizes);
+  EXPECT_LE(layout.classes.size(), gpu::kTextureClasses);
+  std::vector<std::vector<bool>> taken;
+  Texels texels;
+  for (const TextureClass& size : layout.classes) {
+    taken.emplace_back(size.layers, false);
+    texels.laidOut += size.texels();
   }
-  EXPECT_NEAR(layers.layers[1][0].pixels[500], 200, 1);
-  EXPECT_EQ(makeTextureLayers({small, wide}, {}, 16).side, 16U);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const TextureSlot slot = layout.slots[i];
+    const TextureClass& size = layout.classes.at(slot.textureClass);
+    EXPECT_GE(size.width, sizes[i].width);
+    EXPECT_GE(size.height, sizes[i].height);
+    EXPECT_FALSE(taken[slot.textureClass].at(slot.layer)) << "two images share a layer";
+    taken[slot.textureClass][slot.layer] = true;
+    texels.needed += std::uint64_t{std::bit_ceil(sizes[i].width)} * std::bit_ceil(sizes[i].height);
+  }
+  return texels;
+}
+
+TEST(TextureLayers, EveryImageHasALayerThatHoldsItAndTexelsAreBounded) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    std::vector<asset::ImageSize> sizes(1 + random.below(150));
+    for (asset::ImageSize& size : sizes) {
+      const std::uint32_t longest = 1U << random.below(11);
+      size = {1 + random.below(longest), 1 + random.below(longest)};
+    }
+    const Texels texels = checkLayout(sizes);
+    EXPECT_LE(texels.laidOut, 3 * texels.needed) << "seed " << seed;
+  }
+}
+
+TEST(TextureLayers, OneLargeImageDoesNotEnlargeTheOthers) {
+  std::vector<asset::ImageSize> sizes(200, {2, 2});
+  sizes[7] = {1024, 1024};
+  const Texels texels = checkLayout(sizes);
+  EXPECT_LE(4 * texels.laidOut, 5 * texels.needed);
+  EXPECT_EQ(layoutTextures(sizes).classes.size(), 2U);
+}
+
+TEST(TextureLayers, ImagesOfOneSizeAreOneClass) {
+  EXPECT_EQ(layoutTextures(std::vector<asset::ImageSize>(90, {512, 512})).classes.size(), 1U);
+}
+
+TEST(SceneMemory, EstimatesAreTheBytesOfTheBuiltScene) {
+  const asset::SceneFile file = test::randomSpheres(3000, 10.0F, 5);
+  const SceneData scene = buildScene(file);
+  const double bytes = static_cast<double>(
+      sizeof(Vertex) * scene.vertices.capacity() + sizeof(std::uint32_t) * scene.indices.capacity() +
+      sizeof(gpu::Transform) * scene.transforms.capacity() + sizeof(gpu::Object) * scene.objects.capacity() +
+      sizeof(gpu::Tile) * scene.binLayout.tiles.capacity() + sizeof(gpu::Bin) * scene.binLayout.bins.capacity());
+  const double estimate = static_cast<double>(sceneNeeds(sizeOf(scene), false).bytes());
+  EXPECT_GE(estimate, bytes);
+  EXPECT_LE(estimate, 1.4 * bytes) << "counts a tile per object and the order that sorting takes";
 }
 
 TEST(TextureLayers, MaskedMipLevelsKeepTheirCoverage) {

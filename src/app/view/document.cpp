@@ -83,9 +83,9 @@ void Document::read() {
   std::set<std::filesystem::path> files = {file_};
   const auto watchThem = [&] { watch_.watch({files.begin(), files.end()}); };
   try {
-    asset::SceneFile read =
-        readWithin(file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
-                   [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
+    asset::SceneFile read = readWithin(
+        file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
+        [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
     watchThem();
     const scene::SceneData flat = scene::buildScene(read);
     boundsWorld_ = flat.boundsWorld;
@@ -161,8 +161,8 @@ Side* Document::prepare(int index, const RenderOptions& options) {
     failedFor_[i] = key;
     return false;
   };
-  const bool made =
-      (side != nullptr && side->fits(options)) || attempt([&] { side = std::make_unique<Side>(*scene_, options, memory_); });
+  const bool made = (side != nullptr && side->fits(options)) ||
+                    attempt([&] { side = std::make_unique<Side>(*scene_, options, memory_); });
   // An older renderer stays in use and is resized too. If that fails, it is in an undefined state and is removed.
   if (side != nullptr && !attempt([&] { side->resize(options.width, options.height); }))
     side.reset();

@@ -1,6 +1,6 @@
 // Declaration and checks of the options of `jalousie view`.
-#include "app/memory_option.h"
 #include "app/view/view_options.h"
+#include "app/memory_option.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
