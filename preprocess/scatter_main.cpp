@@ -10,6 +10,7 @@
 #include "asset/gltf_images.h"
 #include "cli/program.h"
 #include "core/error.h"
+#include "core/memory_estimate.h"
 #include "core/output_files.h"
 #include "core/progress.h"
 #include "core/standard_streams.h"

@@ -170,6 +170,18 @@ CLI::Option* addOccluderOptions(CLI::App& app, Given& given) {
       ->default_str("0.75");
 }
 
+void addMemoryOption(CLI::App& app, MemoryLimit& limit) {
+  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
+  bytesWithUnit.description("");
+  app.add_option(
+         "--max-memory", limit.bytes,
+         "Refuse a count that would need more memory, by an estimate made before it is allocated; bytes or with "
+         "K, M, G; 0: no limit")
+      ->transform(bytesWithUnit)
+      ->type_name("SIZE")
+      ->default_str("2G");
+}
+
 }  // namespace
 
 std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
@@ -187,15 +199,7 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   const CLI::Option* cover = addOccluderOptions(app, given);
   app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON; - for standard output")
       ->type_name("REPORT");
-  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
-  bytesWithUnit.description("");
-  app.add_option(
-         "--max-memory", options.memory.bytes,
-         "Refuse a count that would need more memory, by an estimate made before it is allocated; bytes or with "
-         "K, M, G; 0: no limit")
-      ->transform(bytesWithUnit)
-      ->type_name("SIZE")
-      ->default_str("2G");
+  addMemoryOption(app, options.memory);
   app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
   if (!cli::parse(app, argc, argv)) return std::nullopt;
   options.layout = resolveLayout(given, seed);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 
 namespace jalousie::scatter {
 

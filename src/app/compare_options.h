@@ -8,7 +8,7 @@
 
 #include "app/configurations.h"
 #include "compare/plan.h"
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 
 namespace CLI {
 class App;

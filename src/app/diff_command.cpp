@@ -14,6 +14,7 @@
 #include "app/number_option.h"
 #include "asset/image_io.h"
 #include "core/error.h"
+#include "core/memory_estimate.h"
 #include "core/output_files.h"
 #include "core/standard_streams.h"
 
@@ -143,7 +144,7 @@ Examples:
 void runDiff(const DiffOptions& options) {
   checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
                std::vector{options.reference, options.test});
-  cli::withFile(options.reference, [&] { diff(options); });
+  withFile(options.reference, [&] { diff(options); });
 }
 
 }  // namespace jalousie::app

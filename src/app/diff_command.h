@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compare/image_error.h"
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 
 namespace CLI {
 class App;

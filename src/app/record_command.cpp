@@ -17,6 +17,7 @@
 #include "asset/gltf_file.h"
 #include "core/check.h"
 #include "core/error.h"
+#include "core/memory_estimate.h"
 #include "core/output_files.h"
 #include "core/standard_streams.h"
 #include "scene/camera.h"

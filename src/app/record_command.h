@@ -9,7 +9,7 @@
 
 #include "asset/scene_file.h"
 #include "core/aabb.h"
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 #include "scene/camera.h"
 
 namespace CLI {

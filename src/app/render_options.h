@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 #include "render/frame_options.h"
 
 namespace jalousie::app {

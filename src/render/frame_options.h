@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/memory_estimate.h"
+#include "core/memory_limit.h"
 #include "policy/frame_policy.h"
 #include "shared/limits.h"
 #include "visibility/submission.h"

@@ -61,7 +61,7 @@ const std::map<std::string, Layout>& expectedLayouts() {
        {sizeof(gpu::Material),
         {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, layer),
          JAL_FIELD("materials[0].", Material, flags), JAL_FIELD("materials[0].", Material, alphaCutoff),
-         JAL_FIELD("materials[0].", Material, reserved0)}}},
+         JAL_FIELD("materials[0].", Material, textureClass)}}},
       {"CommandBlock",
        {sizeof(gpu::DrawCommand),
         {JAL_FIELD("commands[0].", DrawCommand, count), JAL_FIELD("commands[0].", DrawCommand, instanceCount),
