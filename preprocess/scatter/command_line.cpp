@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
 
@@ -170,18 +171,6 @@ CLI::Option* addOccluderOptions(CLI::App& app, Given& given) {
       ->default_str("0.75");
 }
 
-void addMemoryOption(CLI::App& app, MemoryLimit& limit) {
-  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
-  bytesWithUnit.description("");
-  app.add_option(
-         "--max-memory", limit.bytes,
-         "Refuse a count that would need more memory, by an estimate made before it is allocated; bytes or with "
-         "K, M, G; 0: no limit")
-      ->transform(bytesWithUnit)
-      ->type_name("SIZE")
-      ->default_str("2G");
-}
-
 }  // namespace
 
 std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
@@ -199,7 +188,7 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   const CLI::Option* cover = addOccluderOptions(app, given);
   app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON; - for standard output")
       ->type_name("REPORT");
-  addMemoryOption(app, options.memory);
+  cli::addMemoryOption(app, options.memory);
   app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
   if (!cli::parse(app, argc, argv)) return std::nullopt;
   options.layout = resolveLayout(given, seed);

@@ -10,11 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/command_memory.h"
 #include "app/gl_debug.h"
-#include "app/memory_option.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
+#include "cli/program.h"
 #include "compare/configuration.h"
 #include "compare/experiment.h"
 #include "compare/fingerprint.h"
@@ -223,7 +224,7 @@ int compareScene(const CompareOptions& options) {
 
 int runCompare(const CompareOptions& options) {
   int result = 0;
-  withFile(options.scene, [&] { result = compareScene(options); });
+  cli::withFile(options.scene, [&] { result = compareScene(options); });
   return result;
 }
 

@@ -6,10 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/memory_option.h"
 #include "app/number_option.h"
 #include "app/option_values.h"
 #include "app/render_command_line.h"
+#include "cli/memory_option.h"
 #include "compare/report_folder.h"
 #include "core/error.h"
 
@@ -114,7 +114,7 @@ void addRunOptions(CLI::App& command, CompareOptions& o) {
   command.add_option("--json", o.json, "Print summary.json on standard output as well")
       ->check(CLI::IsMember({"-"}).description(""))
       ->type_name("-");
-  addMemoryOption(command, o.memory);
+  cli::addMemoryOption(command, o.memory);
   command.add_flag("-q,--quiet", o.quiet, "Print no progress and no summary");
 }
 

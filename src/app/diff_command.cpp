@@ -10,10 +10,13 @@
 #include <span>
 #include <vector>
 
-#include "app/memory_option.h"
+#include "app/command_memory.h"
 #include "app/number_option.h"
 #include "asset/image_io.h"
+#include "cli/memory_option.h"
+#include "cli/program.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/memory_estimate.h"
 #include "core/output_files.h"
 #include "core/standard_streams.h"
@@ -31,7 +34,9 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
 
 /// Bytes of the largest picture file read.
 constexpr std::uint64_t kMaxFileBytes = 1ULL << 30U;
-constexpr std::uint32_t kMaxSide = 16384;  // pixels
+/// The limit on memory decides, not the number of pixels.
+constexpr asset::ImageLimits kImageLimits = {.maxPixels = std::uint64_t{asset::ImageLimits{}.maxSide} *
+                                                          asset::ImageLimits{}.maxSide};
 
 /// A picture that is not decoded yet.
 struct EncodedPicture {
@@ -40,8 +45,8 @@ struct EncodedPicture {
   asset::ImageSize size;
 
   explicit EncodedPicture(const std::filesystem::path& path)
-      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, kMaxSide, path)) {}
-  ImageRgba8 decoded() const { return asset::decodeImage(bytes, kMaxSide, file); }
+      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, kImageLimits, path)) {}
+  ImageRgba8 decoded() const { return asset::decodeImage(bytes, kImageLimits, file); }
 };
 
 /// Errors: kUsage.
@@ -131,7 +136,7 @@ void addDiffOptions(CLI::App& command, DiffOptions& o) {
   addNumber(command, "--ppd", o.pixelsPerDegree, {compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree},
             "Resolution at the viewing distance that FLIP assumes; 67.02 is that of a 4K monitor, 0.7 m wide, seen "
             "from 0.7 m; pixels per degree of visual angle");
-  addMemoryOption(command, o.memory);
+  cli::addMemoryOption(command, o.memory);
   command.footer(R"(The alpha channel is ignored.
 Examples:
   jalousie diff finest.png lod.png
@@ -144,7 +149,7 @@ Examples:
 void runDiff(const DiffOptions& options) {
   checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
                std::vector{options.reference, options.test});
-  withFile(options.reference, [&] { diff(options); });
+  cli::withFile(options.reference, [&] { diff(options); });
 }
 
 }  // namespace jalousie::app

@@ -10,11 +10,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 
-#include "app/memory_option.h"
+#include "app/command_memory.h"
 #include "app/number_option.h"
 #include "app/option_values.h"
 #include "asset/camera_write.h"
 #include "asset/gltf_file.h"
+#include "cli/memory_option.h"
+#include "cli/program.h"
 #include "core/check.h"
 #include "core/error.h"
 #include "core/memory_estimate.h"
@@ -164,7 +166,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
         "Distance of the orbit from the scene's centre; times the distance at which the whole scene is just in view");
   orbit("--frames", o.frames, {1, kMostFrames}, "Length of the orbit; frames");
   addNumber(command, "--fov", o.fovDegrees, {1, 170}, "Vertical field of view; degrees");
-  addMemoryOption(command, o.memory);
+  cli::addMemoryOption(command, o.memory);
   command.add_flag("-q,--quiet", o.quiet, "Print no summary");
   command.footer(R"(Examples:
   jalousie record city.glb -o orbit.glb
@@ -188,7 +190,7 @@ void runRecord(const RecordOptions& options) {
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "--key: the frames must ascend");
   std::uint32_t frames = 0;
-  withFile(options.scene, [&] {
+  cli::withFile(options.scene, [&] {
     const Aabb bounds = boundsOf(options, keys.empty() ? options.frames : keys.back().frame - keys.front().frame + 1);
     frames = savePath(keys.empty() ? orbitTrack(options, bounds) : splineTrack(keys, bounds),
                       glm::radians(options.fovDegrees), bounds, options.output);

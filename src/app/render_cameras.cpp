@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/memory_option.h"
+#include "app/command_memory.h"
 #include "core/error.h"
 
 namespace jalousie::app {

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "app/capture.h"
+#include "app/command_memory.h"
 #include "app/gl_debug.h"
-#include "app/memory_option.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
+#include "cli/program.h"
 #include "core/error.h"
 #include "core/output_files.h"
 #include "core/progress.h"
@@ -72,7 +73,7 @@ void render(const RenderOptions& options) {
 }  // namespace
 
 void runRender(const RenderOptions& options) {
-  withFile(options.scene, [&] { render(options); });
+  cli::withFile(options.scene, [&] { render(options); });
 }
 
 }  // namespace jalousie::app

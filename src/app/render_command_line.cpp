@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/memory_option.h"
 #include "app/option_checks.h"
 #include "app/option_values.h"
 #include "app/render_option_table.h"
+#include "cli/memory_option.h"
 #include "core/error.h"
 #include "policy/table.h"
 
@@ -116,7 +116,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addMethodOptions(command, options);
   addPictureOptions(command, options);
   addOutputOptions(command, options);
-  addMemoryOption(command, options.memory);
+  cli::addMemoryOption(command, options.memory);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png
       default: two-phase culling, screen-space error of one pixel, start of the scene's camera path

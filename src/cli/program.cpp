@@ -86,6 +86,17 @@ int runProgram(const char* name, const std::function<int()>& body) {
   }
 }
 
+void withFile(const std::filesystem::path& file, const std::function<void()>& task) {
+  try {
+    task();
+  } catch (const Error& error) {
+    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
+    throw Error(error.code(), error.what(), file);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kLimit, "out of memory", file);
+  }
+}
+
 bool parse(CLI::App& program, int argc, const char* const* argv) {
   addExitCodes(program);
   try {

@@ -1,6 +1,7 @@
 // What the command lines of all programs share: how a program starts and ends, and how options are parsed.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -16,6 +17,10 @@ namespace jalousie::cli {
 /// more. SIGHUP, SIGINT and SIGTERM: see core/interruption.h.
 /// @param name  of the program, before each line   @return  exit code
 int runProgram(const char* name, const std::function<int()>& body);
+
+/// Runs a part of a program. Failures without a file get this one. Memory that runs out in spite of all estimates is a
+/// kLimit of this file.
+void withFile(const std::filesystem::path& file, const std::function<void()>& task);
 
 /// Parses a command line; every help then ends with the exit codes. No option and no positional may have an empty
 /// value: it would be taken for an absent one, and no file has an empty name.

@@ -9,7 +9,7 @@
 #include <new>
 #include <set>
 
-#include "app/memory_option.h"
+#include "app/command_memory.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"

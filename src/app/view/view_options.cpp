@@ -1,6 +1,5 @@
 // Declaration and checks of the options of `jalousie view`.
 #include "app/view/view_options.h"
-#include "app/memory_option.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include "app/gl_debug.h"
 #include "app/option_checks.h"
 #include "app/render_command_line.h"
+#include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
 
@@ -86,7 +86,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   addPictureOptions(command, options.render);
   addWindowOptions(command, options);
   addScriptOptions(command, options);
-  addMemoryOption(command, options.render.memory);
+  cli::addMemoryOption(command, options.render.memory);
   command.footer(R"(Examples:
   jalousie view scene.glb
       drag to turn, wheel to zoom, right drag to look around, W A S D to fly, click to inspect, F1 for all keys

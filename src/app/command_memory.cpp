@@ -1,8 +1,5 @@
-// The option, and the peaks of the commands: which parts exist at the same time.
-#include "app/memory_option.h"
-
-#include <CLI/CLI.hpp>
-#include <new>
+// The peaks of the commands: which parts exist at the same time.
+#include "app/command_memory.h"
 
 #include "core/error.h"
 #include "policy/detail.h"
@@ -41,29 +38,6 @@ MemoryEstimate rendererNeeds(const asset::SceneSize& size, const RenderOptions& 
 }
 
 }  // namespace
-
-void addMemoryOption(CLI::App& command, MemoryLimit& limit) {
-  CLI::Validator bytesWithUnit = CLI::AsSizeValue(false);
-  bytesWithUnit.description("");
-  command
-      .add_option("--max-memory", limit.bytes,
-                  "Refuse what would need more memory, on the host and on the GPU together, by an estimate made before "
-                  "it is allocated; bytes or with K, M, G; 0: no limit")
-      ->transform(bytesWithUnit)
-      ->type_name("SIZE")
-      ->default_str("2G");
-}
-
-void withFile(const std::filesystem::path& file, const std::function<void()>& task) {
-  try {
-    task();
-  } catch (const Error& error) {
-    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
-    throw Error(error.code(), error.what(), file);
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kLimit, "out of memory", file);
-  }
-}
 
 asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
                             const asset::ReadObserver& observer) {

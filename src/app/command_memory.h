@@ -1,4 +1,4 @@
-// --max-memory: what a command may allocate, and how much it is about to.
+// How much memory a command is about to allocate, and scenes that are read within a limit.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,7 @@
 #include "asset/scene_file.h"
 #include "core/memory_estimate.h"
 
-namespace CLI {
-class App;
-}
-
 namespace jalousie::app {
-
-/// Declares --max-memory on a subcommand; limit must outlive the parse.
-void addMemoryOption(CLI::App& command, MemoryLimit& limit);
-
-/// Runs a part of a command. Failures without a file get this one. Memory that runs out in spite of all estimates is a
-/// kLimit of this file.
-void withFile(const std::filesystem::path& file, const std::function<void()>& task);
 
 /// Estimated peak of a command, from the size of its scene.
 using Needs = std::function<MemoryEstimate(const asset::SceneSize& size)>;
