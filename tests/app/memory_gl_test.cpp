@@ -82,8 +82,8 @@ TEST_F(MemoryLimits, SixteenMillionInstancesAreRefusedByEveryCommandThatReadsThe
 TEST_F(MemoryLimits, TheEstimateOfManyInstancesIsTheirPeak) {
   const std::string scene = writeInstances(1, 2'000'000);
   const auto count = [&](const std::string& limit) {
-    return jalousie(
-        {"render", scene, "--stats-only", "-q", "--mode", "frustum", "--size", "64x64", "--max-memory", limit});
+    return jalousie({"render", scene, "--stats-only", "-q", "--mode", "full", "--lod", "finest", "--size", "64x64",
+                     "--max-memory", limit});
   };
   const ProgramResult counted = count("0");
   EXPECT_EQ(counted.exitCode, 0) << counted.standardError;
