@@ -66,7 +66,7 @@ TEST(GltfImages, WebpWithoutAnImageIsMalformed) {
         R"({"asset":{"version":"2.0"},"textures":[{"extensions":{"EXT_texture_webp":)" + extension + "}}]}";
     return messageOf([&] { parseGltf(std::as_bytes(std::span(text.data(), text.size())), "a.gltf"); });
   };
-  EXPECT_EQ(parse(R"({"source":0})"), "5 a.gltf: texture 0: image 0 is out of range, there are 0");
+  EXPECT_EQ(parse(R"({"source":0})"), "5 a.gltf: textures 0: EXT_texture_webp: index 0 is out of range, there are 0");
   EXPECT_EQ(parse("{}"), "5 a.gltf: EXT_texture_webp without a source");
   EXPECT_EQ(parse(R"({"source":-1})"), "5 a.gltf: \"source\" is not a valid index or size");
   EXPECT_EQ(parse("7"), "5 a.gltf: EXT_texture_webp is no object");

@@ -80,13 +80,15 @@ std::string roomOf(const std::string& path) {
   return folder;
 }
 
-/// OpenGL belongs to the rooms made for it; in visibility only to the passes and the table of their programs.
+/// OpenGL belongs to the rooms made for it; in visibility only to the passes, the table of their programs, and what they
+/// share: buffers and dispatches.
 bool mayUseGl(const std::string& path, const std::string& room) {
   static const std::set<std::string> kRooms = {"src/gl", "src/platform", "src/render", "src/app"};
   if (kRooms.contains(room) || isTestOrBench(room)) return true;
   const std::string name = path.substr(path.rfind('/') + 1);
-  return room == "src/visibility" && (name.find("_pass.") != std::string::npos || name.starts_with("program_table.") ||
-                                      name.starts_with("object_store."));
+  static const std::set<std::string> kShared = {"program_table", "object_store", "storage", "dispatch"};
+  return room == "src/visibility" &&
+         (name.find("_pass.") != std::string::npos || kShared.contains(name.substr(0, name.find('.'))));
 }
 
 bool isGlHeader(const std::string& header) {

@@ -59,13 +59,15 @@ RunningProgram::RunningProgram(const std::filesystem::path& program, const std::
   for (std::string& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);
+  // Set before the fork, or a signal could come first.
+  const auto before = setup.ignoredSignal != 0 ? ::signal(setup.ignoredSignal, SIG_IGN) : SIG_DFL;
   pid_ = ::fork();
+  if (pid_ != 0 && setup.ignoredSignal != 0) ::signal(setup.ignoredSignal, before);
   if (pid_ < 0) throw std::runtime_error("fork failed");
   if (pid_ > 0) return;
   redirect(STDERR_FILENO, *folder_ / "err");
   connectOutput(setup.output, *folder_ / "out");  // last, since a closed stream's number would be taken
   if (!setup.folder.empty() && ::chdir(setup.folder.c_str()) != 0) ::_exit(127);
-  if (setup.ignoredSignal != 0) ::signal(setup.ignoredSignal, SIG_IGN);
   // Ours first: the caller may set it otherwise.
   ::putenv(kDebugVariable);
   for (const std::string& variable : setup.environment)
