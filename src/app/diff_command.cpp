@@ -53,11 +53,12 @@ struct EncodedPicture {
 void checkSizes(const EncodedPicture& reference, const EncodedPicture& test) {
   const asset::ImageSize a = reference.size;
   const asset::ImageSize b = test.size;
-  if (a.width != b.width || a.height != b.height)
+  if (a.width != b.width || a.height != b.height) {
     throw Error(ErrorCode::kUsage,
                 fmt::format("has {}x{} pixels and the reference {}x{}; pictures must have the same size to be compared",
                             b.width, b.height, a.width, a.height),
                 test.file);
+  }
   if (std::min(a.width, a.height) < compare::kLeastSsimSide)
     throw Error(ErrorCode::kUsage, fmt::format("has fewer than {0}x{0} pixels", compare::kLeastSsimSide),
                 reference.file);

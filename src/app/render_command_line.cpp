@@ -45,11 +45,12 @@ void checkCombination(const RenderOptions& o) {
   const ViewRow& view = rowOf(policy.view);
   const std::string testing = policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion);
   const bool tests = rowOf(policy.cullMode).testsOcclusion;
-  if (!tests && wantsBlock(policy))
+  if (!tests && wantsBlock(policy)) {
     refuse(fmt::format("--lod {} and --view {} need --mode {}, or --lv {}",
                        policy::namesWith(lodRuleTable(), &LodRuleRow::followsLv),
                        policy::namesWith(viewTable(), &ViewRow::showsLv), testing,
                        policy::namesWith(lvMeasureTable(), &LvMeasureRow::countsPixels)));
+  }
   if (!tests && view.needsOcclusionTest) refuse(fmt::format("--view {} needs --mode {}", view.name, testing));
   if (!rowOf(policy.cullMode).twoPhases && view.needsTwoPhases)
     refuse(fmt::format("--view {} needs --mode {}", view.name,

@@ -80,8 +80,8 @@ std::string roomOf(const std::string& path) {
   return folder;
 }
 
-/// OpenGL belongs to the rooms made for it; in visibility only to the passes, the table of their programs, and what they
-/// share: buffers and dispatches.
+/// OpenGL belongs to the rooms made for it; in visibility only to the passes, the table of their programs, and the
+/// buffers and dispatches that they share.
 bool mayUseGl(const std::string& path, const std::string& room) {
   static const std::set<std::string> kRooms = {"src/gl", "src/platform", "src/render", "src/app"};
   if (kRooms.contains(room) || isTestOrBench(room)) return true;

@@ -94,6 +94,7 @@ int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const st
   if (attribute.components == 3) return asset::appendVec3(model, gather(glm::vec3()), kTarget);
   if (attribute.components == 4) return asset::appendVec4(model, gather(glm::vec4()), kTarget);
   std::vector<float> scalars;
+  scalars.reserve(vertices.size());
   for (const std::uint32_t v : vertices)
     scalars.push_back(attribute.values[v]);
   return asset::appendScalars(model, scalars, kTarget);

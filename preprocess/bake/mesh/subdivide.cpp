@@ -49,12 +49,13 @@ TopologyMesh makeTopology(const CombinedMesh& mesh) {
     }
     rejected += topology.add_face(corners).is_valid() ? 0 : 1;
   }
-  if (rejected > 0)
+  if (rejected > 0) {
     throw Error(
         ErrorCode::kUnsupported,
         fmt::format(
             "--subdivide needs a manifold mesh; {} of {} faces are not manifold: repair the mesh or omit the option",
             rejected, mesh.indices.size() / 3));
+  }
   return topology;
 }
 

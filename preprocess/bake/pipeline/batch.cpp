@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -39,7 +40,7 @@ std::uint64_t bytesOf(const BakeJob& job) {
 }
 
 std::string durationText(double seconds) {
-  const auto whole = static_cast<std::uint64_t>(std::min(seconds, 1e6) + 0.5);
+  const auto whole = static_cast<std::uint64_t>(std::lround(std::min(seconds, 1e6)));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
   return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
