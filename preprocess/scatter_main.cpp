@@ -22,20 +22,35 @@ namespace {
 
 using namespace jalousie;
 
-/// Instances as vectors, in the document's buffer while it grows, and in the encoded file.
-void requireMemory(const scatter::Options& options) {
+/// Instances as vectors, in the document's buffer while it grows, and in the encoded file; the document itself, its
+/// copy in the result, and the encoded file.
+/// @param documentBytes  of buffers and pictures
+void requireMemory(const scatter::Options& options, std::uint64_t documentBytes) {
   constexpr std::uint64_t kInstanceBytes = 2 * sizeof(glm::vec3) + sizeof(glm::quat);
   MemoryEstimate needs;
   needs.add(options.layout.count, 5 * kInstanceBytes, fmt::format("{} objects", options.layout.count));
+  needs.add(documentBytes, 3, "the object");
   needs.require(options.memory, options.input);
 }
 
+std::uint64_t bytesOf(const tinygltf::Model& model) {
+  std::uint64_t bytes = 0;
+  for (const tinygltf::Buffer& buffer : model.buffers)
+    bytes += buffer.data.size();
+  for (const tinygltf::Image& image : model.images)
+    bytes += image.image.size();
+  return bytes;
+}
+
 void scatterFile(const scatter::Options& options) {
-  requireMemory(options);
+  std::error_code absent;
+  const std::uintmax_t fileBytes = std::filesystem::file_size(options.input, absent);
+  requireMemory(options, absent ? 0 : fileBytes);
   scatter::ScatteredScene scene;
   {
     Progress progress("scattering", options.layout.count, options.quiet);
     tinygltf::Model object = asset::loadGltf(options.input);
+    requireMemory(options, bytesOf(object));
     asset::checkImages(object, options.input);
     scene = scatter::scatterObjects(std::move(object), options, progress);
     asset::saveGlb(scene.model, options.output);

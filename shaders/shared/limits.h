@@ -92,8 +92,7 @@ const uint kListCount = 6u;
 const uint kListsPerDetail = 3u;
 // Behind the command counts of the lists, in the same buffer of draw counts.
 const uint kCountInstances = 6u;  // entries of the instance list
-const uint kCountDropped = 7u;    // instances that found no room in it
-const uint kDrawCounts = 8u;
+const uint kDrawCounts = 7u;
 
 // Frame counters (count_states.comp).
 const uint kCounterVerdicts = 0u;    // [kVerdictCount]
@@ -103,7 +102,8 @@ const uint kCounterEarly = 52u;      // objects drawn in the first phase
 const uint kCounterLate = 53u;       // and in the second
 const uint kCounterSwitches = 54u;   // drawn at another level than in the last frame
 const uint kCounterFading = 55u;     // drawn at two levels
-const uint kCounterCount = 56u;
+const uint kCounterDropped = 56u;    // not drawn, or not at both levels, because a list had no room
+const uint kCounterCount = 57u;
 
 // Shader storage bindings; core OpenGL promises eight, so kernels that never share a dispatch share numbers.
 const uint kBindingTransforms = 0u;
@@ -129,6 +129,8 @@ const uint kBindingGhostStates = 5u;
 const uint kBindingGhostMarks = 7u;
 // Counting.
 const uint kBindingCounters = 0u;
+const uint kBindingEarlySlots = 5u;
+const uint kBindingLateSlots = 7u;
 // Drawing programs.
 const uint kBindingDrawBoxes = 3u;
 const uint kBindingDrawInstances = 5u;

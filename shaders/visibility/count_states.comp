@@ -1,7 +1,8 @@
 // Figures of the frame, summed on the GPU: verdicts, levels, triangles (docs/formats.md). Sums of whole numbers do not
 // depend on their order, so atomics leave the result the same in every run.
 //
-// One thread: one object. Reads states, marks, objects, chains, lods. Adds to counters, which the frame cleared.
+// One thread: one object. Reads states, marks, objects, chains, lods, and the slots that scatter.comp left. Adds to
+// counters, which the frame cleared.
 // Barrier owed: BUFFER_UPDATE for the copy into the ring. CPU twin: src/visibility/frame_counters.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -17,6 +18,8 @@ layout(std430, binding = kBindingChains) readonly buffer ChainBlock { Chain chai
 layout(std430, binding = kBindingLods) readonly buffer LodBlock { Lod lods[]; };
 layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
+layout(std430, binding = kBindingEarlySlots) readonly buffer EarlySlotBlock { uint earlySlots[]; };
+layout(std430, binding = kBindingLateSlots) readonly buffer LateSlotBlock { uint lateSlots[]; };
 layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]; };
 
 #include "lib/lod.glsl"
@@ -26,27 +29,36 @@ shared uint groupCounters[kObjectGroupSize];
 /// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
 uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
 
+void countTriangles(uint triangles) {
+  for (uint limb = 0u; limb < 4u; ++limb)
+    atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);
+}
+
+/// An object whose own instance is on a list. @return  its triangles
+uint countDrawn(ObjectState state, Chain chain, uint mark, bool early) {
+  bool patches = hasTrait(kTraitPatches);
+  atomicAdd(groupCounters[early ? kCounterEarly : kCounterLate], 1u);
+  if ((mark & kMarkSwitched) != 0u) atomicAdd(groupCounters[kCounterSwitches], 1u);
+  atomicAdd(groupCounters[kCounterLevels + (patches ? state.tessellation - 1u : state.lod)], 1u);
+  return patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
+                 : lods[chain.firstLod + state.lod].triangleCount;
+}
+
 void countObject(uint id) {
   ObjectState state = states[id];
   uint mark = marks[id];
-  bool twoPhases = hasTrait(kTraitTwoPhases);
   atomicAdd(groupCounters[kCounterVerdicts + state.verdict], 1u);
-  bool early = twoPhases && (mark & kMarkEarly) != 0u;
-  bool late = (mark & kMarkLate) != 0u;
-  if (!early && !late) return;
-  atomicAdd(groupCounters[early ? kCounterEarly : kCounterLate], 1u);
+  bool early = hasTrait(kTraitTwoPhases) && (mark & kMarkEarly) != 0u;
+  if (!early && (mark & kMarkLate) == 0u) return;
   Chain chain = chains[objects[id].chain];
-  bool patches = hasTrait(kTraitPatches);
-  uint triangles = patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
-                           : lods[chain.firstLod + state.lod].triangleCount;
-  if ((mark & kMarkSwitched) != 0u) atomicAdd(groupCounters[kCounterSwitches], 1u);
-  if (fadeFrames(mark) > 0u && !patches) {
-    atomicAdd(groupCounters[kCounterFading], 1u);
-    triangles += lods[chain.firstLod + fadingLod(state.lod, mark)].triangleCount;
-  }
-  atomicAdd(groupCounters[kCounterLevels + (patches ? state.tessellation - 1u : state.lod)], 1u);
-  for (uint limb = 0u; limb < 4u; ++limb)
-    atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);
+  bool fades = fadeFrames(mark) > 0u && !hasTrait(kTraitPatches);
+  bool placed = (early ? earlySlots[2u * id] : lateSlots[2u * id]) != kNoBin;
+  bool fadingPlaced = fades && (early ? earlySlots[2u * id + 1u] : lateSlots[2u * id + 1u]) != kNoBin;
+  uint triangles = placed ? countDrawn(state, chain, mark, early) : 0u;
+  if (fadingPlaced) triangles += lods[chain.firstLod + fadingLod(state.lod, mark)].triangleCount;
+  if (placed && fadingPlaced) atomicAdd(groupCounters[kCounterFading], 1u);
+  if (!placed || fades != fadingPlaced) atomicAdd(groupCounters[kCounterDropped], 1u);
+  countTriangles(triangles);
 }
 
 void main() {

@@ -1,7 +1,8 @@
-// Writes every object of a phase to its place in the instance list, and the levels that fade out to theirs.
+// Writes every object of a phase to its place in the instance list, and the levels that fade out to theirs. The slot of
+// an instance behind the list's capacity becomes kNoBin, so that count_states.comp counts what is drawn.
 //
 // JAL_PER_OBJECT: the reference path writes one command per instance as well, in the same order.
-// One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances (and commands).
+// One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances, slots (and commands).
 // Barrier owed: VERTEX_ATTRIB_ARRAY, SHADER_STORAGE, COMMAND. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -16,16 +17,20 @@
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]; };
-layout(std430, binding = kBindingSlots) readonly buffer SlotBlock { uint slots[]; };
+layout(std430, binding = kBindingSlots) buffer SlotBlock { uint slots[]; };
 layout(std430, binding = kBindingInstances) writeonly buffer InstanceBlock { uint instances[]; };
 
-/// @param slot  where in its tile, and in which bin   @param entry  of the instance list
-void place(Tile tile, uint slot, uint entry) {
+/// @param number  of the slot, which says where in its tile and in which bin   @param entry  of the instance list
+void place(Tile tile, uint number, uint entry) {
+  uint slot = slots[number];
   if (slot == kNoBin) return;
   uint bin = slot & ((1u << kSlotBinBits) - 1u);
   Chain chain = chains[tile.chain];
   uint index = offsetOf(entryIndex(chain, bin, tile.tileOfChain)) + (slot >> kSlotBinBits);
-  if (index >= listView.capacity) return;  // counted by write_commands.comp
+  if (index >= listView.capacity) {
+    slots[number] = kNoBin;
+    return;
+  }
   instances[index] = entry;
 #ifdef JAL_PER_OBJECT
   Ranges ranges = rangesOf(chain, bin);
@@ -40,7 +45,6 @@ void main() {
   Tile tile = tiles[groupNumber()];
   if (gl_LocalInvocationID.x >= tile.objectCount) return;
   uint id = tile.firstObject + gl_LocalInvocationID.x;
-  uint fading = slots[2u * id + 1u];
-  place(tile, slots[2u * id], fading == kNoBin ? id : id | kInstanceFadingIn);
-  place(tile, fading, id | kInstanceFadingOut);
+  place(tile, 2u * id, slots[2u * id + 1u] == kNoBin ? id : id | kInstanceFadingIn);
+  place(tile, 2u * id + 1u, id | kInstanceFadingOut);
 }

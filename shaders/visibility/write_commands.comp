@@ -16,18 +16,13 @@ layout(local_size_x = kScanGroupSize) in;
 layout(std430, binding = kBindingBins) readonly buffer BinBlock { Bin bins[]; };
 layout(std430, binding = kBindingDrawCounts) writeonly buffer DrawCountBlock { uint drawCounts[]; };
 
-void writeTotals() {
-  uint total = totalInstances();
-  uint kept = min(total, listView.capacity);
-  drawCounts[kCountInstances] = kept;
-  drawCounts[kCountDropped] = total - kept;
-}
+uint keptInstances() { return min(totalInstances(), listView.capacity); }
 
 #ifdef JAL_PER_OBJECT
 void main() {
   if (gl_LocalInvocationID.x != 0u) return;
-  writeTotals();
-  uint kept = min(totalInstances(), listView.capacity);
+  uint kept = keptInstances();
+  drawCounts[kCountInstances] = kept;
   for (uint list = 0u; list < kListCount; ++list)
     drawCounts[list] = list < kListsPerDetail || listView.patches != 0u ? kept : 0u;
 }
@@ -112,7 +107,7 @@ void main() {
   writeEmptyCommands(lane, written);
   if (lane == 0u) {
     for (uint list = 0u; list < kListCount; ++list) drawCounts[list] = written[list];
-    writeTotals();
+    drawCounts[kCountInstances] = keptInstances();
   }
 }
 #endif

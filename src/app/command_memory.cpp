@@ -45,6 +45,14 @@ asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit
                               [&](const asset::SceneSize& size) { needs(size).require(limit, file); });
 }
 
+MemoryEstimate maskNeeds(const std::filesystem::path& file) {
+  MemoryEstimate needs;
+  if (file.empty()) return needs;
+  const asset::ImageSize size = asset::imageFileSize(file);
+  needs.add(std::uint64_t{size.width} * size.height, 4 + 1 + 2, "the mask of --importance");
+  return needs;
+}
+
 MemoryEstimate readingNeeds(const asset::SceneSize& size) {
   return sum({scene::fileNeeds(size), scene::imageNeeds(size)});
 }
@@ -54,25 +62,27 @@ MemoryEstimate flatNeeds(const asset::SceneSize& size) {
 }
 
 MemoryEstimate renderNeeds(const asset::SceneSize& size, const RenderOptions& options) {
-  return sum({base(), scene::imageNeeds(size), scene::sceneNeeds(size, hasPatches(options)),
+  return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size),
+              scene::sceneNeeds(size, hasPatches(options)),
               larger(scene::fileNeeds(size), rendererNeeds(size, options))});
 }
 
 MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& options) {
-  return sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, hasPatches(options)),
-              rendererNeeds(size, options)});
+  return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size), scene::fileNeeds(size),
+              scene::sceneNeeds(size, hasPatches(options)), rendererNeeds(size, options)});
 }
 
 MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& comparison) {
-  // Two reference pictures with their prepared FLIP images, one test picture, and what preparing it takes.
-  constexpr std::uint64_t kPictureBytes = 2 * (4 + 20) + 4 + 44 + 16;
+  // Two reference pictures with their prepared FLIP images, what preparing one takes, and a picture of each
+  // configuration.
+  const std::uint64_t pictureBytes = 2 * (4 + 20) + 44 + 16 + 4 * comparison.configurations;
   MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
   if (comparison.patches) needs.add(scene::sceneNeeds(size, true));
   const MemoryEstimate each = sum(
       {render::bufferNeeds(size, comparison.patches, {}), render::targetNeeds(comparison.width, comparison.height)});
   needs.add(comparison.renderers, each.bytes(), each.largestItem());
   if (comparison.pictures)
-    needs.add(std::uint64_t{comparison.width} * comparison.height, kPictureBytes, "pictures and their errors");
+    needs.add(std::uint64_t{comparison.width} * comparison.height, pictureBytes, "pictures and their errors");
   return needs;
 }
 

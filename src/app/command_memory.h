@@ -19,6 +19,9 @@ using Needs = std::function<MemoryEstimate(const asset::SceneSize& size)>;
 asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
                             const asset::ReadObserver& observer = {});
 
+/// A mask of --importance: its file, the decoded picture, the mask and its texture. Nothing without a file.
+/// Errors: as imageSize, for the file.
+MemoryEstimate maskNeeds(const std::filesystem::path& file);
 /// For cameras alone: the file and nothing else.
 MemoryEstimate readingNeeds(const asset::SceneSize& size);
 /// For a scene without a picture: the file and the flat arrays.
@@ -31,8 +34,9 @@ MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& opti
 /// What experiments keep at the same time.
 struct ComparisonSize {
   std::uint64_t renderers = 1;
-  bool patches = false;   ///< a second scene, for tessellation
-  bool pictures = false;  ///< they are compared with a reference
+  std::uint64_t configurations = 1;  ///< each has a picture of the present frame
+  bool patches = false;              ///< a second scene, for tessellation
+  bool pictures = false;             ///< they are compared with a reference
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 };

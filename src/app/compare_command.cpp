@@ -53,8 +53,10 @@ void setUp(const CompareOptions& options, Setup& setup) {
     const RenderOptions render = optionsOf(text);
     compare::Configuration configuration{text.name, text.options, render.frameOptions, render.rendererOptions};
     configuration.renderer.memory = options.memory;
-    if (!render.importance.empty())
+    if (!render.importance.empty()) {
+      maskNeeds(render.importance).require(options.memory, render.importance);
       configuration.renderer.importance = &setup.masks.emplace_back(asset::loadImage(render.importance));
+    }
     setup.patches = setup.patches || configuration.tessellates();
     setup.followsError = setup.followsError || configuration.followsTau();
     setup.configurations.push_back(std::move(configuration));
@@ -182,8 +184,13 @@ int compareScene(const CompareOptions& options) {
   Setup setup;
   setUp(options, setup);
   const bool pictures = options.reference != "none";
-  const ComparisonSize comparison{setup.configurations.size() + (pictures ? 1 : 0), setup.patches, pictures,
-                                  options.width, options.height};
+  const std::size_t configurations = setup.configurations.size();
+  const ComparisonSize comparison{.renderers = configurations + (pictures ? 1 : 0),
+                                  .configurations = configurations,
+                                  .patches = setup.patches,
+                                  .pictures = pictures,
+                                  .width = options.width,
+                                  .height = options.height};
   const asset::SceneFile file = readWithin(
       options.scene, options.memory, [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); });
   const asset::Camera path = loadPath(options, file);

@@ -19,6 +19,7 @@
 #include "core/file.h"
 #include "core/memory_estimate.h"
 #include "core/output_files.h"
+#include "core/progress.h"
 #include "core/standard_streams.h"
 
 namespace jalousie::app {
@@ -34,9 +35,6 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
 
 /// Bytes of the largest picture file read.
 constexpr std::uint64_t kMaxFileBytes = 1ULL << 30U;
-/// The limit on memory decides, not the number of pixels.
-constexpr asset::ImageLimits kImageLimits = {.maxPixels = std::uint64_t{asset::ImageLimits{}.maxSide} *
-                                                          asset::ImageLimits{}.maxSide};
 
 /// A picture that is not decoded yet.
 struct EncodedPicture {
@@ -45,8 +43,8 @@ struct EncodedPicture {
   asset::ImageSize size;
 
   explicit EncodedPicture(const std::filesystem::path& path)
-      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, kImageLimits, path)) {}
-  ImageRgba8 decoded() const { return asset::decodeImage(bytes, kImageLimits, file); }
+      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, {}, path)) {}
+  ImageRgba8 decoded() const { return asset::decodeImage(bytes, {}, file); }
 };
 
 /// Errors: kUsage.
@@ -86,11 +84,14 @@ struct FlipFigures {
 FlipFigures measureFlip(const ImageRgba8& reference, const ImageRgba8& test, double pixelsPerDegree,
                         ImageRgba8* picture) {
   FlipFigures figures;
+  Progress progress("comparing", reference.height);
+  std::uint64_t rowsDone = 0;
   compare::flipStrips(reference, test, pixelsPerDegree, [&](std::span<const float> values) {
     for (const float value : values) {
       figures.sum += value;
       figures.largest = std::max(figures.largest, value);
     }
+    progress.update(rowsDone += values.size() / reference.width);
     if (picture == nullptr) return;
     const auto rows = static_cast<std::uint32_t>(values.size() / reference.width);
     const ImageRgba8 strip = compare::errorPicture({values.begin(), values.end()}, reference.width, rows);
@@ -99,11 +100,25 @@ FlipFigures measureFlip(const ImageRgba8& reference, const ImageRgba8& test, dou
   return figures;
 }
 
+/// The two files, which are read before their headers are. Errors: kLimit.
+void requireFiles(const DiffOptions& options) {
+  MemoryEstimate needs;
+  for (const std::filesystem::path& file : {options.reference, options.test}) {
+    std::error_code absent;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, absent);
+    needs.add(absent ? 0 : bytes, 1, "the encoded pictures");
+  }
+  needs.require(options.memory, options.reference);
+}
+
 void diff(const DiffOptions& options) {
+  requireFiles(options);
   const EncodedPicture encodedReference(options.reference);
   const EncodedPicture encodedTest(options.test);
   checkSizes(encodedReference, encodedTest);
-  diffNeeds(encodedReference.size, options).require(options.memory, options.reference);
+  MemoryEstimate needs = diffNeeds(encodedReference.size, options);
+  needs.add(encodedReference.bytes.size() + encodedTest.bytes.size(), 1, "the encoded pictures");
+  needs.require(options.memory, options.reference);
   const ImageRgba8 reference = encodedReference.decoded();
   const ImageRgba8 test = encodedTest.decoded();
   ImageRgba8 map{reference.width, reference.height, {}};

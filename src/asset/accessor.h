@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <span>
@@ -22,8 +23,12 @@ std::vector<glm::vec3> readVec3(const tinygltf::Model& model, int accessor, std:
 std::vector<glm::vec4> readVec4(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
 /// Rotations as (x, y, z, w), each normalised; a zero quaternion is kMalformed.
 std::vector<glm::quat> readQuaternions(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
-/// Every component of every element in a row, for any type; the padding of small matrices is left out.
-std::vector<float> readComponents(const tinygltf::Model& model, int accessor, std::uint64_t maxElements);
+/// Calls a function for every component that the file holds of an accessor of any type: those of its view, then those
+/// that replace some of them. Padding of small matrices is left out, and so are zeros that no byte stands for.
+/// Allocates nothing.
+void visitComponents(const tinygltf::Model& model, int accessor, const std::function<void(float)>& visit);
+/// visitComponents for whether all are finite.
+bool holdsFiniteNumbers(const tinygltf::Model& model, int accessor);
 /// Unsigned indices, each below vertexCount (checked).
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint32_t vertexCount,
                                        std::uint64_t maxElements);

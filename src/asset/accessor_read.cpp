@@ -157,22 +157,28 @@ std::vector<glm::quat> readQuaternions(const tinygltf::Model& model, int accesso
   return values;
 }
 
-std::vector<float> readComponents(const tinygltf::Model& model, int accessor, std::uint64_t maxElements) {
-  const std::vector<std::byte> packed = packedBytes(model, accessor, maxElements);
+void visitComponents(const tinygltf::Model& model, int accessor, const std::function<void(float)>& visit) {
+  const Elements base = detail::baseElements(model, accessor, std::numeric_limits<std::uint64_t>::max());
   const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
   const std::uint32_t size = detail::elementBytes(source.type, source.componentType);
   const std::uint32_t componentSize = detail::componentBytes(source.componentType);
   const std::uint32_t components = detail::componentCount(source.type);
   const std::uint32_t rows = source.type == TINYGLTF_TYPE_MAT2 ? 2 : source.type == TINYGLTF_TYPE_MAT3 ? 3 : components;
   const std::uint32_t columnBytes = size / (components / rows);
-  std::vector<float> values;
-  values.reserve(source.count * components);
-  for (std::size_t i = 0; i < source.count; ++i) {
-    for (std::uint32_t c = 0; c < components; ++c)
-      values.push_back(loadFloat(packed.data() + i * size + c / rows * columnBytes + c % rows * componentSize,
-                                 source.componentType, source.normalized));
-  }
-  return values;
+  const auto visitAll = [&](const Elements& elements) {
+    for (std::uint64_t i = 0; elements.data != nullptr && i < elements.count; ++i)
+      for (std::uint32_t c = 0; c < components; ++c)
+        visit(loadFloat(elements.data + i * elements.stride + c / rows * columnBytes + c % rows * componentSize,
+                        source.componentType, source.normalized));
+  };
+  visitAll(base);
+  if (source.sparse.isSparse) visitAll(detail::sparseElements(model, accessor).values);
+}
+
+bool holdsFiniteNumbers(const tinygltf::Model& model, int accessor) {
+  bool finite = true;
+  visitComponents(model, accessor, [&](float value) { finite = finite && std::isfinite(value); });
+  return finite;
 }
 
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint32_t vertexCount,

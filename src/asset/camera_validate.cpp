@@ -23,7 +23,7 @@ void validateLens(const tinygltf::Camera& camera, std::size_t index) {
   const auto rounded = [](double value) { return static_cast<float>(value); };
   if (camera.type == "perspective") {
     const tinygltf::PerspectiveCamera& lens = camera.perspective;
-    require(rounded(lens.yfov) > 0.0F && lens.yfov < std::numbers::pi, index, "yfov", lens.yfov);
+    require(rounded(lens.yfov) > 0.0F && rounded(lens.yfov) < std::numbers::pi_v<float>, index, "yfov", lens.yfov);
     require(rounded(lens.znear) > 0.0F, index, "znear", lens.znear);
     require(lens.zfar == 0.0 || rounded(lens.zfar) > rounded(lens.znear), index, "zfar", lens.zfar);
     require(lens.aspectRatio >= 0.0, index, "aspectRatio", lens.aspectRatio);

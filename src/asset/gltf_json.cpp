@@ -141,9 +141,10 @@ void checkExtensions(const json& document, const Path& file) {
 void dropDraco(json& document) {
   constexpr const char* kDraco = "KHR_draco_mesh_compression";
   const auto used = document.find("extensionsUsed");
-  if (used == document.end() || !used->is_array()) return;
-  used->erase(std::remove(used->begin(), used->end(), json(kDraco)), used->end());
-  if (used->empty()) document.erase("extensionsUsed");
+  if (used != document.end() && used->is_array()) {
+    used->erase(std::remove(used->begin(), used->end(), json(kDraco)), used->end());
+    if (used->empty()) document.erase("extensionsUsed");
+  }
   if (!document.contains("meshes")) return;
   for (json& mesh : document["meshes"]) {
     for (json& primitive : mesh["primitives"]) {

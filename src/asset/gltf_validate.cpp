@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -171,6 +172,8 @@ void validateNodes(const Model& model) {
 glm::dmat4 nodeTransform(const tinygltf::Node& node, int index) {
   try {
     const glm::dmat4 local = localTransform(node);
+    if (glm::row(local, 3) != glm::dvec4(0.0, 0.0, 0.0, 1.0))
+      malformed(fmt::format("node {}: the last row of the matrix is not 0 0 0 1", index));
     if (isFinite(local)) return local;
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("node {}: {}", index, error.what()));

@@ -163,9 +163,10 @@ class MeshCheck {
   }
 
   void checkWeights(int index, std::size_t mesh) const {
-    for (const float weight : readComponents(model_, index, accessorAt(model_, index).count))
+    visitComponents(model_, index, [&](float weight) {
       if (!(weight >= 0.0F && std::isfinite(weight)))
         malformed(fmt::format("mesh {}: the weight {:g} is negative or not finite", mesh, weight));
+    });
   }
 
   void checkIndices(int index, std::size_t mesh, std::uint64_t vertices) {

@@ -29,9 +29,8 @@ const tinygltf::Accessor& accessorAt(const Model& model, int index) {
 
 /// @param owner  "skin 3", for the message
 void requireFinite(const Model& model, int accessor, const std::string& owner) {
-  for (const float value : readComponents(model, accessor, accessorAt(model, accessor).count))
-    if (!std::isfinite(value))
-      malformed(fmt::format("{}: accessor {} holds a number that is not finite", owner, accessor));
+  if (!holdsFiniteNumbers(model, accessor))
+    malformed(fmt::format("{}: accessor {} holds a number that is not finite", owner, accessor));
 }
 
 void checkSkins(const Model& model) {

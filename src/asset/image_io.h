@@ -43,6 +43,8 @@ void checkImage(std::span<const std::byte> encoded, const ImageLimits& limits = 
 std::vector<std::byte> encodePng(const ImageRgba8& image);
 /// encodePng and core's writeFileAtomic. Errors: kWriteFailed.
 void savePng(const ImageRgba8& image, const std::filesystem::path& path);
+/// readFile and imageSize.
+ImageSize imageFileSize(const std::filesystem::path& path, const ImageLimits& limits = {});
 /// readFile and decodeImage.
 ImageRgba8 loadImage(const std::filesystem::path& path, const ImageLimits& limits = {});
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "asset/accessor.h"
@@ -66,9 +65,11 @@ Attributes attributesOf(const tinygltf::Model& model, int node, const Limits& li
           attribute(attributes, "SCALE", node)};
 }
 
-/// Whether an accessor has values other than zeros, which are not expanded to be checked.
-bool hasValues(const tinygltf::Accessor& accessor) {
-  return accessor.bufferView >= 0 || accessor.sparse.isSparse;
+/// Whether the file holds every element of an accessor; the others are zeros.
+bool isComplete(const tinygltf::Accessor& accessor) {
+  const bool replaced =
+      accessor.sparse.isSparse && static_cast<std::uint64_t>(std::max(accessor.sparse.count, 0)) >= accessor.count;
+  return accessor.bufferView >= 0 || replaced;
 }
 
 /// Type, range and numbers of an accessor of vectors.
@@ -78,12 +79,7 @@ void checkVectors(const tinygltf::Model& model, int node, int accessor, const Li
   const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
   if (source.type != TINYGLTF_TYPE_VEC3)
     throw Error(ErrorCode::kMalformed, fmt::format("accessor {} has the wrong type for its use", accessor));
-  if (!hasValues(source)) return;
-  const std::vector<glm::vec3> values = readVec3(model, accessor, limits.maxInstances);
-  const bool finite = std::all_of(values.begin(), values.end(), [](const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  });
-  if (!finite)
+  if (!holdsFiniteNumbers(model, accessor))
     throw Error(ErrorCode::kMalformed, fmt::format("node {}: an instance's translation or scale is not finite", node));
 }
 
@@ -110,7 +106,7 @@ std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limit
   checkVectors(model, node, found.translation, limits);
   checkVectors(model, node, found.scale, limits);
   if (found.rotation < 0) return found.count;
-  if (!hasValues(model.accessors[static_cast<std::size_t>(found.rotation)]))
+  if (!isComplete(model.accessors[static_cast<std::size_t>(found.rotation)]))
     malformed(node, "has rotations without direction");
   readQuaternions(model, found.rotation, limits.maxInstances);
   return found.count;

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "asset/accessor.h"
+#include "asset/camera_validate.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 [[noreturn]] void malformed(const std::string& message) {
   throw Error(ErrorCode::kMalformed, message);
@@ -121,12 +120,9 @@ CameraTrack CameraReader::trackOf(int node) {
 std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode) {
   const int index = model_.nodes[static_cast<std::size_t>(node)].camera;
   const tinygltf::Camera& source = model_.cameras[static_cast<std::size_t>(index)];
+  validateLens(source, static_cast<std::size_t>(index));
   if (source.type != "perspective") return std::nullopt;
   const tinygltf::PerspectiveCamera& lens = source.perspective;
-  if (!(lens.yfov > 0.0 && lens.yfov < kPi)) malformed(fmt::format("camera {}: yfov {}", index, lens.yfov));
-  if (!(static_cast<float>(lens.znear) > 0.0F)) malformed(fmt::format("camera {}: znear {}", index, lens.znear));
-  if (lens.zfar != 0.0 && !(static_cast<float>(lens.zfar) > static_cast<float>(lens.znear)))
-    malformed(fmt::format("camera {}: zfar {} is not beyond znear {}", index, lens.zfar, lens.znear));
 
   Camera camera;
   camera.name = source.name.empty() ? model_.nodes[static_cast<std::size_t>(node)].name : source.name;

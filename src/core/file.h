@@ -20,8 +20,8 @@ std::filesystem::path folderOf(const std::filesystem::path& file);
 /// Replaces a file by bytes: writes an unnamed file in the same folder, syncs it, gives it the name, syncs the folder.
 /// A reader sees the old file or the new one, never a part. A program that is killed meanwhile leaves no file behind,
 /// except that SIGKILL can leave one that removeAbandonedFiles removes, where the file system has no unnamed files or a
-/// file is replaced. A link is followed; a
-/// device or a pipe is written to and not replaced. Errors: kWriteFailed; the old file is then unchanged.
+/// file is replaced. A link is followed; a device or a pipe is written to and not replaced.
+/// Errors: kWriteFailed; the old file is then unchanged.
 void writeFileAtomic(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomic(const std::filesystem::path& path, std::string_view text);
 

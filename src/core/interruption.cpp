@@ -16,17 +16,29 @@ constexpr std::string_view kEraseLine = "\r\033[K";
 
 std::atomic<bool> deferred = false;
 std::atomic<int> arrived = 0;  ///< number of the deferred signal; 0: none
+std::atomic<int> held = 0;     ///< number of HeldInterruptions
+std::atomic<int> waiting = 0;  ///< number of a signal that came while they lived; 0: none
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 char line[128];
 std::size_t lineBytes = 0;
 
-void handle(int signal) {
+void act(int signal) {
   int none = 0;
   if (deferred && arrived.compare_exchange_strong(none, signal)) return;
   // A failure to print changes nothing: the program ends.
   static_cast<void>(!::write(STDERR_FILENO, line, lineBytes));
   ::_exit(kCodeOfSignals + signal);
+}
+
+void actOnWaiting() {
+  if (const int signal = waiting.exchange(0); signal != 0) act(signal);
+}
+
+void handle(int signal) {
+  if (held == 0) return act(signal);
+  waiting = signal;
+  if (held == 0) actOnWaiting();  // the last holder may have gone in between
 }
 
 bool isIgnored(int signal) {
@@ -70,6 +82,7 @@ int interruptionExitCode() noexcept {
 }
 
 HeldInterruptions::HeldInterruptions() {
+  ++held;  // for signals that other threads receive; the mask holds even without a handler
   sigset_t signals;
   ::sigemptyset(&signals);
   for (const int signal : kSignals)
@@ -79,6 +92,7 @@ HeldInterruptions::HeldInterruptions() {
 
 HeldInterruptions::~HeldInterruptions() {
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  if (--held == 0) actOnWaiting();
 }
 
 }  // namespace jalousie

@@ -79,11 +79,8 @@ bool FrameParts::countsNow(const FrameOptions& options) {
 std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visibility::FrameRecord>& record) const {
   if (!record) return std::nullopt;
   const gpu::CullView& view = record->view;
-  const bool usesEarly = has(view.traits, gpu::kTraitTestsOcclusion);
   const bool drawsEarly = has(view.traits, gpu::kTraitTwoPhases);
-  const std::uint64_t dropped =
-      record->late[gpu::kCountDropped] + std::uint64_t{usesEarly ? record->early[gpu::kCountDropped] : 0};
-  FrameStatistics result = makeStatistics(record->counters, view, finestTriangles, dropped);
+  FrameStatistics result = makeStatistics(record->counters, view, finestTriangles);
   result.frame = record->frame;
   const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)

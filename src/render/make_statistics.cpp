@@ -21,7 +21,7 @@ FinestTriangles countFinestTriangles(const scene::SceneData& scene) {
 }
 
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
-                               const FinestTriangles& full, std::uint64_t dropped) {
+                               const FinestTriangles& full) {
   const auto verdicts = [&](gpu::uint verdict) -> std::uint64_t { return counters[gpu::kCounterVerdicts + verdict]; };
   const bool patches = has(view.traits, gpu::kTraitPatches);
   FrameStatistics result;
@@ -35,7 +35,7 @@ FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const 
   result.drawn = result.drawnEarly + counters[gpu::kCounterLate];
   result.switches = counters[gpu::kCounterSwitches];
   result.fading = counters[gpu::kCounterFading];
-  result.dropped = dropped;
+  result.dropped = counters[gpu::kCounterDropped];
   result.triangles = visibility::triangleSum(counters);
   result.trianglesFinest = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;
   const gpu::uint levels = patches ? view.maxTessellation : full.maxLods;

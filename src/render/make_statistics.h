@@ -16,8 +16,8 @@ struct FinestTriangles {
 };
 FinestTriangles countFinestTriangles(const scene::SceneData& scene);
 
-/// Figures by name. @param dropped  instances that the frame's lists had no room for
+/// Figures by name.
 FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const gpu::CullView& view,
-                               const FinestTriangles& full, std::uint64_t dropped);
+                               const FinestTriangles& full);
 
 }  // namespace jalousie::render

@@ -141,10 +141,12 @@ void mergeGroups(std::vector<Group>& groups) {
   std::uint64_t needed = 0;
   for (const Group& group : groups)
     needed += group.size.texels();
+  constexpr std::uint32_t kLayers = 2048;  // the most that OpenGL 4.5 promises
   std::uint64_t spare = needed / 4;
   while (groups.size() > 1) {
     const Merger best = cheapestMerger(groups);
-    if (groups.size() <= gpu::kTextureClasses && best.added > spare) return;
+    const std::uint32_t layers = groups[best.first].size.layers + groups[best.second].size.layers;
+    if (groups.size() <= gpu::kTextureClasses && (best.added > spare || layers > kLayers)) return;
     spare -= std::min(spare, best.added);
     Group& target = groups[best.first];
     Group& source = groups[best.second];

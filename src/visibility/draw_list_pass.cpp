@@ -40,7 +40,8 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
       viewBuffer_(sizeof(gpu::ListView), 0, "draw list view", &view_),
       instances_(makeStorage(sizeof(gpu::uint) * options.capacity, 0, "instance list")),
       commands_(makeStorage(commandBytes(view_), 0, "draw commands")),
-      drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, 0, "draw counts")) {}
+      drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, 0, "draw counts")),
+      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), 0, "slots")) {}
 
 DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
     : tileCount_(static_cast<std::uint32_t>(scene.binLayout.tiles.size())),
@@ -54,7 +55,6 @@ DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrar
       writeCountsProgram_(programSource(ProgramId::kWriteCounts), shaders),
       tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
       bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
-      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), 0, "slots")),
       entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, 0, "bin counts")),
       blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, 0, "block sums")) {}
 
@@ -62,7 +62,7 @@ void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const 
   decided.view->bindUniform(gpu::kBindingCullView);
   list.viewBuffer_.bindUniform(gpu::kBindingListView);
   tiles_.bindStorage(gpu::kBindingTiles);
-  slots_.bindStorage(gpu::kBindingSlots);
+  list.slots_.bindStorage(gpu::kBindingSlots);
   scene.chains->bindStorage(gpu::kBindingChains);
   scene.lods->bindStorage(gpu::kBindingLods);
   decided.states->bindStorage(gpu::kBindingStates);

@@ -27,6 +27,9 @@ class DrawList {
   const gl::Buffer& instances() const { return instances_; }    ///< object ids [capacity]
   const gl::Buffer& commands() const { return commands_; }      ///< gpu::DrawCommand [lists][commandCapacity]
   const gl::Buffer& drawCounts() const { return drawCounts_; }  ///< gpu::uint [kDrawCounts]
+  /// gpu::uint [2 * objects]: the slot of each object's instance and of its level that fades out, kNoBin for none or
+  /// one that found no room.
+  const gl::Buffer& slots() const { return slots_; }
   std::uint32_t commandCapacity() const { return view_.commandCapacity; }
   const gpu::ListView& view() const { return view_; }
 
@@ -38,6 +41,7 @@ class DrawList {
   gl::Buffer instances_;
   gl::Buffer commands_;
   gl::Buffer drawCounts_;
+  gl::Buffer slots_;
 };
 
 /// The kernels that fill lists, and their scratch memory. CPU twin: buildDrawLists.
@@ -63,7 +67,6 @@ class DrawListPass {
   gl::Program writeCountsProgram_;
   gl::Buffer tiles_;
   gl::Buffer bins_;
-  gl::Buffer slots_;
   gl::Buffer entries_;
   gl::Buffer blockSums_;
 };

@@ -114,8 +114,10 @@ DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& vie
   std::vector<Entry> entries = sortedEntries(list, objects);
   DrawLists lists;
   const std::size_t kept = std::min<std::size_t>(entries.size(), options.capacity);
-  lists.dropped = static_cast<std::uint32_t>(entries.size() - kept);
   entries.resize(kept);
+  lists.placed.resize(scene.objects.size());
+  for (const Entry& entry : entries)
+    lists.placed[entry.value & gpu::kInstanceObject] |= entry.fadesOut ? kPlacedFadingOut : kPlacedOwn;
   const bool perObject = options.submission == Submission::kPerObject;
   for (std::size_t i = 0; i < entries.size();) {
     const Entry& entry = entries[i];

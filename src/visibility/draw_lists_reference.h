@@ -21,15 +21,20 @@ namespace jalousie::visibility {
 /// What a list may hold and how it is drawn.
 struct DrawListOptions {
   Submission submission = Submission::kInstanced;
-  std::uint32_t capacity = 0;  ///< most instances; the first ones stay, the others are dropped and counted
+  std::uint32_t capacity = 0;  ///< most instances; the first ones stay
   bool patches = false;        ///< the scene has patch bases: twice as many lists
 };
+
+/// Which of an object's instances are on a list.
+inline constexpr std::uint8_t kPlacedOwn = 1;
+inline constexpr std::uint8_t kPlacedFadingOut = 2;
 
 /// What one list draws.
 struct DrawLists {
   std::vector<gpu::uint> instances;  ///< object ids with kInstance... bits, bin after bin
   std::array<std::vector<gpu::DrawCommand>, gpu::kListCount> commands;  ///< without the empty ones of kInstanced
-  std::uint32_t dropped = 0;                                            ///< instances beyond the capacity
+  /// kPlaced... bits of each object; instances beyond the capacity have no place.
+  std::vector<std::uint8_t> placed;
 };
 
 /// @param phase  kMarkEarly or kMarkLate

@@ -5,6 +5,7 @@
 #include "policy/traits.h"
 #include "scene/patch_base.h"
 #include "scene/scene_data.h"
+#include "visibility/draw_lists_reference.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
@@ -15,28 +16,56 @@ std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain
   return std::uint64_t{scene.lods[chain.patchLod].triangleCount} * scene::tessellatedTriangles(state.tessellation);
 }
 
+namespace {
+
+/// kPlaced... bits of one object.
+std::uint8_t placedBits(std::span<const std::uint8_t> placed, std::size_t object) {
+  return placed.empty() ? kPlacedOwn | kPlacedFadingOut : placed[object];
+}
+
+/// One object that is on a list, or would be.
+struct Drawn {
+  const gpu::ObjectState& state;
+  const gpu::Chain& chain;
+  gpu::uint marks;
+  std::uint8_t placed;
+  bool early;
+};
+
+void countDrawn(FrameCounters& counters, const scene::SceneData& scene, gpu::uint traits, const Drawn& drawn) {
+  const bool patches = has(traits, gpu::kTraitPatches);
+  const bool fades = fadeFrames(drawn.marks) > 0 && !patches;
+  const bool own = (drawn.placed & kPlacedOwn) != 0;
+  const bool fadingOut = fades && (drawn.placed & kPlacedFadingOut) != 0;
+  std::uint64_t triangles = 0;
+  if (own) {
+    ++counters[drawn.early ? gpu::kCounterEarly : gpu::kCounterLate];
+    ++counters[gpu::kCounterLevels + (patches ? drawn.state.tessellation - 1 : drawn.state.lod)];
+    if ((drawn.marks & gpu::kMarkSwitched) != 0) ++counters[gpu::kCounterSwitches];
+    triangles += trianglesOf(scene, drawn.chain, traits, drawn.state);
+  }
+  if (fadingOut) triangles += scene.lods[drawn.chain.firstLod + fadingLod(drawn.state.lod, drawn.marks)].triangleCount;
+  if (own && fadingOut) ++counters[gpu::kCounterFading];
+  if (!own || fades != fadingOut) ++counters[gpu::kCounterDropped];
+  for (gpu::uint limb = 0; limb < 4; ++limb)
+    counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+}
+
+}  // namespace
+
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
-                          std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks) {
+                          std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks,
+                          const PlacedInstances& placed) {
   JAL_CHECK(states.size() == scene.objects.size());
   JAL_CHECK(marks.size() == scene.objects.size());
   FrameCounters counters = {};
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const gpu::ObjectState& state = states[i];
-    ++counters[gpu::kCounterVerdicts + state.verdict];
+    ++counters[gpu::kCounterVerdicts + states[i].verdict];
     if (!isDrawn(marks[i], view.traits)) continue;
     const bool early = has(view.traits, gpu::kTraitTwoPhases) && (marks[i] & gpu::kMarkEarly) != 0;
-    ++counters[early ? gpu::kCounterEarly : gpu::kCounterLate];
-    const bool patches = has(view.traits, gpu::kTraitPatches);
-    ++counters[gpu::kCounterLevels + (patches ? state.tessellation - 1 : state.lod)];
-    const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
-    std::uint64_t triangles = trianglesOf(scene, chain, view.traits, state);
-    if ((marks[i] & gpu::kMarkSwitched) != 0) ++counters[gpu::kCounterSwitches];
-    if (fadeFrames(marks[i]) > 0 && !patches) {
-      ++counters[gpu::kCounterFading];
-      triangles += scene.lods[chain.firstLod + fadingLod(state.lod, marks[i])].triangleCount;
-    }
-    for (gpu::uint limb = 0; limb < 4; ++limb)
-      counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+    countDrawn(counters, scene, view.traits,
+               {states[i], scene.chains[scene.objects[i].chain], marks[i],
+                placedBits(early ? placed.early : placed.late, i), early});
   }
   return counters;
 }

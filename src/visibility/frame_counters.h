@@ -23,13 +23,20 @@ inline bool isDrawn(gpu::uint marks, gpu::uint traits) {
   return (marks & (has(traits, gpu::kTraitTwoPhases) ? gpu::kMarkEarly | gpu::kMarkLate : gpu::kMarkLate)) != 0;
 }
 
+/// Bits of each object on the two lists of a frame (DrawLists::placed). Empty: everything found room.
+struct PlacedInstances {
+  std::span<const std::uint8_t> early;
+  std::span<const std::uint8_t> late;
+};
+
 /// Triangles that one object is drawn with. @param traits  gpu::CullView::traits
 std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint traits,
                           const gpu::ObjectState& state);
 
 /// @param states, marks  [scene.objects.size()]
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
-                          std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks);
+                          std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks,
+                          const PlacedInstances& placed = {});
 
 /// Number of drawn triangles: the sum of the four counters kCounterTriangles.
 std::uint64_t triangleSum(const FrameCounters& counters);

@@ -48,6 +48,8 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
     scene.lods->bindStorage(gpu::kBindingLods);
     decided.states->bindStorage(gpu::kBindingStates);
     decided.marks->bindStorage(gpu::kBindingMarks);
+    (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
+    late.slots().bindStorage(gpu::kBindingLateSlots);
     dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   }

@@ -31,8 +31,8 @@ class StatisticsPass {
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;
 
-  /// Counts the frame and copies the result. @param view  of the frame   @param early, late  its lists; early may be
-  /// null
+  /// Counts the frame and copies the result. @param view  of the frame   @param early, late  its lists, built; early
+  /// may be null if it draws nothing into the frame
   void endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                 const DrawList* early, const DrawList& late);
   /// The newest statistics that have arrived; empty until the first do. Never waits.

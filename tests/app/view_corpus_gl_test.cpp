@@ -1,4 +1,4 @@
-// The viewer with files of the corpus of broken files: a message with the reason for each, and it lives on.
+// The viewer with files of the corpus of broken files: a message with the reason for each, and the program goes on.
 #include "support/corpus.h"
 #include "view_fixture.h"
 

@@ -58,6 +58,46 @@ TEST(GltfValues, TheUndamagedDocumentLoads) {
   EXPECT_EQ(reasonOf(RichGltf().glb()), "");
 }
 
+TEST(GltfValues, MatricesAreAffine) {
+  expectReasons({set("node 0: the last row of the matrix is not 0 0 0 1", "/nodes/0",
+                     {{"matrix", {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}})});
+}
+
+/// Four million matrices that no byte stands for: their check must not expand them.
+TEST(GltfValues, ZerosOfAnAccessorAreNotExpandedToBeChecked) {
+  RichGltf rich;
+  json& accessor = rich.document["accessors"][static_cast<std::size_t>(rich.matrices)];
+  accessor = {{"componentType", 5126}, {"count", 4'000'000}, {"type", "MAT4"}};
+  const tinygltf::Model model = [&] {
+    const std::string bytes = rich.glb();
+    return parseGltf(std::as_bytes(std::span(bytes.data(), bytes.size())), "rich.glb");
+  }();
+  std::size_t visited = 0;
+  visitComponents(model, rich.matrices, [&](float) { ++visited; });
+  EXPECT_EQ(visited, 0U);
+}
+
+TEST(GltfValues, ComponentsAreThoseOfTheFileAndOfItsSparseValues) {
+  tinygltf::Model model;
+  const std::vector<glm::vec3> vectors = {{1, 2, 3}, {4, 5, 6}};
+  const int accessor = appendVec3(model, vectors, 0);
+  const int values = appendVec3(model, std::vector<glm::vec3>{{7, 8, kNan}}, 0);
+  std::vector<float> seen;
+  visitComponents(model, accessor, [&](float value) { seen.push_back(value); });
+  EXPECT_EQ(seen, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_TRUE(holdsFiniteNumbers(model, accessor));
+  EXPECT_FALSE(holdsFiniteNumbers(model, values));
+  tinygltf::Accessor& sparse = model.accessors[static_cast<std::size_t>(accessor)];
+  sparse.sparse.isSparse = true;
+  sparse.sparse.count = 1;
+  sparse.sparse.indices = {.byteOffset = 0,
+                           .bufferView = model.accessors[static_cast<std::size_t>(values)].bufferView,
+                           .componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE};
+  sparse.sparse.values.bufferView = model.accessors[static_cast<std::size_t>(values)].bufferView;
+  sparse.sparse.values.byteOffset = 0;
+  EXPECT_FALSE(holdsFiniteNumbers(model, accessor));
+}
+
 TEST(GltfValues, JointsAndWeights) {
   expectReasons({
       {"joint 2 of JOINTS_0 is out of range, the skin has 2",
@@ -88,6 +128,7 @@ TEST(GltfValues, MorphTargets) {
 TEST(GltfValues, Cameras) {
   expectReasons({
       set("camera 0: yfov 3.2", "/cameras/0/perspective/yfov", 3.2),
+      set("camera 0: yfov 3.14159", "/cameras/0/perspective/yfov", 3.14159265),  // as a float it is more than pi
       set("camera 0: yfov -1", "/cameras/0/perspective/yfov", -1),
       set("camera 0: yfov 1e-50", "/cameras/0/perspective/yfov", 1e-50),
       set("camera 0: znear 1e-50", "/cameras/0/perspective/znear", 1e-50),

@@ -348,7 +348,7 @@ TEST_F(FrameRendererGl, StatisticsEqualACountOfTheStates) {
     renderer.render(options, camera, camera);
     const FrameStatistics expected =
         makeStatistics(visibility::countStates(scene, renderer.cullView(), renderer.readStates(), renderer.readMarks()),
-                       renderer.cullView(), countFinestTriangles(scene), 0);
+                       renderer.cullView(), countFinestTriangles(scene));
     const FrameStatistics actual = renderer.readStatistics();
     EXPECT_EQ(actual.drawn, expected.drawn);
     EXPECT_EQ(actual.triangles, expected.triangles);
@@ -357,22 +357,51 @@ TEST_F(FrameRendererGl, StatisticsEqualACountOfTheStates) {
   }
 }
 
+/// Figures of a frame by the CPU twins, lists with a capacity included.
+FrameStatistics countWithLists(const scene::SceneData& scene, const FrameRenderer& renderer,
+                               const visibility::DrawListOptions& lists) {
+  const gpu::CullView view = renderer.cullView();
+  const auto states = renderer.readStates();
+  const auto boxes = renderer.readBoxes();
+  const auto marks = renderer.readMarks();
+  const visibility::ObjectDecisions decisions{states, boxes, marks};
+  const visibility::DrawLists early = visibility::buildDrawLists(scene, view, decisions, gpu::kMarkEarly, lists);
+  const visibility::DrawLists late = visibility::buildDrawLists(scene, view, decisions, gpu::kMarkLate, lists);
+  return makeStatistics(visibility::countStates(scene, view, states, marks, {early.placed, late.placed}), view,
+                        countFinestTriangles(scene));
+}
+
 TEST_F(FrameRendererGl, ListsThatRunOutDropCountAndReport) {
+  constexpr std::uint32_t kCapacity = 20;
   const scene::SceneData scene = scene::buildScene(test::randomSpheres(300, 6.0F, 14));
   const scene::Camera camera = scene::lookAt({0, 0, 30}, {0, 0, 0}, scene.boundsWorld);
-  for (const visibility::Submission submission :
-       {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
-    FrameRenderer renderer(scene, kWidth, kHeight, {.submission = submission, .capacity = 120});
-    FrameOptions options;
-    options.cullMode = CullMode::kFrustum;
-    renderer.render(options, camera, camera);
-    EXPECT_EQ(renderer.readStatistics().dropped, 180U);
-    renderer.renderIds();
-    const std::vector<std::uint32_t> ids = renderer.readIds();
-    EXPECT_GT(std::count_if(ids.begin(), ids.end(), [](std::uint32_t id) { return id > 0; }), 1000);
-    FrameRenderer whole(scene, kWidth, kHeight, {.submission = submission});
-    whole.render(options, camera, camera);
-    EXPECT_EQ(whole.readStatistics().dropped, 0U);
+  for (const CullModeRow& mode : cullModeTable()) {
+    for (const visibility::Submission submission :
+         {visibility::Submission::kInstanced, visibility::Submission::kPerObject}) {
+      SCOPED_TRACE(mode.name);
+      FrameRenderer renderer(scene, kWidth, kHeight, {.submission = submission, .capacity = kCapacity});
+      FrameOptions options;
+      options.cullMode = mode.id;
+      renderer.render(options, camera, camera);
+      renderer.render(options, camera, camera);
+      const FrameStatistics actual = renderer.readStatistics();
+      const FrameStatistics expected = countWithLists(scene, renderer, {submission, kCapacity, false});
+      EXPECT_EQ(actual.drawn, expected.drawn);
+      EXPECT_EQ(actual.drawnEarly, expected.drawnEarly);
+      EXPECT_EQ(actual.dropped, expected.dropped);
+      EXPECT_EQ(actual.triangles, expected.triangles);
+      EXPECT_EQ(actual.lodHistogram, expected.lodHistogram);
+      EXPECT_LE(actual.drawn, 2 * kCapacity);
+      EXPECT_GT(actual.dropped, 100U);
+      EXPECT_EQ(actual.drawn + actual.dropped + actual.culledFrustum + actual.culledOcclusion + actual.culledSmall,
+                300U);
+      renderer.renderIds();
+      const std::vector<std::uint32_t> ids = renderer.readIds();
+      std::set<std::uint32_t> shown(ids.begin(), ids.end());
+      shown.erase(0);
+      EXPECT_GT(shown.size(), kCapacity / 2);
+      EXPECT_LE(shown.size(), actual.drawn);
+    }
   }
 }
 

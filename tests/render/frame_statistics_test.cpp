@@ -14,7 +14,7 @@ namespace {
 FrameStatistics count(const scene::SceneData& scene, gpu::CullView view, const std::vector<gpu::ObjectState>& states,
                       const std::vector<gpu::uint>& marks) {
   view.objectCount = static_cast<gpu::uint>(states.size());
-  return makeStatistics(visibility::countStates(scene, view, states, marks), view, countFinestTriangles(scene), 7);
+  return makeStatistics(visibility::countStates(scene, view, states, marks), view, countFinestTriangles(scene));
 }
 
 TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
@@ -36,7 +36,7 @@ TEST(FrameStatistics, CountsVerdictsLevelsPhasesAndTriangles) {
   EXPECT_EQ(s.drawn, 3U);
   EXPECT_EQ(s.drawnEarly, 2U);
   EXPECT_EQ(s.drawnStale, 1U);
-  EXPECT_EQ(s.dropped, 7U);
+  EXPECT_EQ(s.dropped, 0U);
   EXPECT_EQ(s.lodHistogram, (std::vector<std::uint64_t>{2, 0, 1}));
   EXPECT_EQ(s.triangles, 2ULL * scene.lods[0].triangleCount + scene.lods[2].triangleCount);
   EXPECT_EQ(s.trianglesFinest, 6ULL * scene.lods[0].triangleCount);
@@ -80,7 +80,7 @@ TEST(FrameStatistics, TrianglesBeyondFourBillionAreCounted) {
 }
 
 TEST(FrameStatistics, EmptySceneCountsNothing) {
-  const FrameStatistics s = makeStatistics({}, {}, {}, 0);
+  const FrameStatistics s = makeStatistics({}, {}, {});
   EXPECT_EQ(s.objects + s.drawn + s.triangles + s.trianglesFinest, 0U);
 }
 

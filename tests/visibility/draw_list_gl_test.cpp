@@ -52,6 +52,15 @@ class DrawListGl : public test::GlTest {
     return input;
   }
 
+  /// An instance has a slot if and only if it is on the list.
+  static void expectPlaced(const std::vector<gpu::uint>& slots, const std::vector<std::uint8_t>& placed) {
+    ASSERT_EQ(slots.size(), 2 * placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      ASSERT_EQ(slots[2 * i] != gpu::kNoBin, (placed[i] & kPlacedOwn) != 0) << "object " << i;
+      ASSERT_EQ(slots[2 * i + 1] != gpu::kNoBin, (placed[i] & kPlacedFadingOut) != 0) << "object " << i;
+    }
+  }
+
   /// Builds one list on the GPU and compares instances, commands and counts with the twin.
   static void compare(const SceneData& scene, const gpu::CullView& view, gpu::uint phase,
                       const DrawListOptions& options, const Input& input) {
@@ -71,7 +80,7 @@ class DrawListGl : public test::GlTest {
     EXPECT_EQ(instances, expected.instances);
     const auto counts = list.drawCounts().read<gpu::uint>(gpu::kDrawCounts);
     EXPECT_EQ(counts[gpu::kCountInstances], expected.instances.size());
-    EXPECT_EQ(counts[gpu::kCountDropped], expected.dropped);
+    expectPlaced(list.slots().read<gpu::uint>(2 * scene.objects.size()), expected.placed);
     const gpu::uint kinds = options.patches ? gpu::kListCount : gpu::kListsPerDetail;
     const auto commands = list.commands().read<gpu::DrawCommand>(std::size_t{kinds} * list.commandCapacity());
     for (gpu::uint kind = 0; kind < kinds; ++kind) {

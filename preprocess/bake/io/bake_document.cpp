@@ -101,14 +101,12 @@ void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<i
 }
 
 /// Refuses a mesh that is passed on as it is but holds numbers that are NaN or infinite. @param reason  why it is
-void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason,
-                   const asset::Limits& limits) {
+void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason) {
   std::set<int> accessors;  // primitives may share them
   const auto check = [&](const std::map<std::string, int>& attributes) {
     for (const auto& [name, accessor] : attributes) {
       if (!accessors.insert(accessor).second) continue;
-      const std::vector<float> values = asset::readComponents(model, accessor, limits.maxAccessorElements);
-      if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
+      if (!asset::holdsFiniteNumbers(model, accessor))
         throw Error(ErrorCode::kMalformed,
                     fmt::format("{} holds NaN or an infinite number and cannot be repaired, because {}", name, reason));
     }
@@ -177,7 +175,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
   if (!report.passedThrough.empty()) {
-    requireFinite(model, source, report.passedThrough, options.limits);
+    requireFinite(model, source, report.passedThrough);
     return report;
   }
 
@@ -188,7 +186,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
-    requireFinite(model, source, report.passedThrough, options.limits);
+    requireFinite(model, source, report.passedThrough);
     return report;
   }
   subdivideMesh(mesh, options.subdivide);
@@ -198,7 +196,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   report.diagonal = boundsOf(wedges.positions).diagonal();
   if (!std::isfinite(report.diagonal)) {
     report.passedThrough = "its coordinates are too large to measure";
-    requireFinite(model, source, report.passedThrough, options.limits);
+    requireFinite(model, source, report.passedThrough);
     return report;
   }
 

@@ -291,10 +291,10 @@ int slotOf(std::string_view name) {
   return -1;
 }
 
-/// The value of full colour: floats reach 1, integers of 16 bits 65535, and all others 255, whatever their width.
+/// The value of full colour: floats reach 1, ushort 65535, and all other integers 255, whatever their width.
 double colorScale(Type type) {
   if (type == Type::kFloat || type == Type::kDouble) return 1.0;
-  return type == Type::kUint16 || type == Type::kInt16 ? 65535.0 : 255.0;
+  return type == Type::kUint16 ? 65535.0 : 255.0;
 }
 
 /// A colour component as a share of full colour. Errors: kMalformed unless it lies in [0, 1] but for rounding.

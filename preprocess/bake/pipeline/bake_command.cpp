@@ -188,8 +188,7 @@ int runBake(const CommandLine& command) {
   }
   if (outcome.interrupted) {
     const std::size_t open = countStatus(outcome)[JobStatus::kNotStarted];
-    printError(fmt::format("jalousie-bake: interrupted; {} of {} files are not done, the others are whole", open,
-                           jobs.size()));
+    printError(fmt::format("jalousie-bake: interrupted; {} of {} files are not done", open, jobs.size()));
   }
   return exitCode(command, outcome);
 }

@@ -29,12 +29,21 @@ using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kMaxJobs = 256;
 
+std::uint64_t bytesOf(const fs::path& file) {
+  std::error_code absent;
+  const std::uintmax_t size = fs::file_size(file, absent);
+  return absent ? 0 : size;
+}
+
+/// Bytes of a job's inputs. A .gltf file counts with the .bin files beside it: one of them is likely its buffer.
 std::uint64_t bytesOf(const BakeJob& job) {
   std::uint64_t bytes = 0;
   for (const fs::path& input : job.inputs) {
-    std::error_code absent;
-    const std::uintmax_t size = fs::file_size(input, absent);
-    if (!absent) bytes += size;
+    bytes += bytesOf(input);
+    if (input.extension() != ".gltf") continue;
+    std::error_code failed;
+    for (fs::directory_iterator file(folderOf(input), failed), end; !failed && file != end; file.increment(failed))
+      if (file->path().extension() == ".bin") bytes += bytesOf(file->path());
   }
   return std::max<std::uint64_t>(bytes, 1);
 }

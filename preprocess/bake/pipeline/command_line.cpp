@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "bake/pipeline/build_identity.h"
+#include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
 
@@ -54,12 +55,8 @@ constexpr const char* kBaking = "Baking";    // options that change the bytes of
 constexpr const char* kRunning = "Running";  // options that do not
 constexpr const char* kOutputs = "Files";
 
-/// Reads "512M" as bytes. The help does not list the units of CLI11.
-CLI::Validator bytesWithUnit() {
-  CLI::Validator validator = CLI::AsSizeValue(false);
-  validator.description("");
-  return validator;
-}
+/// A process that can report a failure needs this much.
+constexpr std::uint64_t kLeastMemory = 16ULL << 20U;
 
 /// The given options of one group with their values.
 std::string chosenOptions(const CLI::App& program, const char* group) {
@@ -137,14 +134,14 @@ void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>
   program
       .add_option("--cache-limit", result.cacheLimit,
                   "Delete the least recently used results when the cache exceeds this size, bytes or with K, M, G")
-      ->transform(bytesWithUnit())
+      ->transform(CLI::Validator(cli::bytesOption(0), ""))
       ->type_name("SIZE")
       ->default_str("10G");
   program
       .add_option("--max-memory", result.maxMemory,
                   "Limit the memory of one bake, bytes or with K, M, G; 0: no limit "
                   "[4G and 64 bytes for each byte of input; at most 90 % of the machine's, shared by the jobs]")
-      ->transform(bytesWithUnit())
+      ->transform(CLI::Validator(cli::bytesOption(kLeastMemory), ""))
       ->type_name("SIZE");
   program
       .add_option("--timeout", timeout,
@@ -190,17 +187,25 @@ void addChainOptions(CLI::App& program, ChainOptions& chain) {
       ->type_name(rangeText(kMinLevelTriangles, 100'000'000U));
 }
 
+/// Replaces the name of a preset by its number. @return  empty, or what is wrong with the name
+std::string presetNumber(std::string& name) {
+  constexpr std::pair<const char*, Preset> kPresets[] = {
+      {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}};
+  for (const auto& [known, preset] : kPresets) {
+    if (CLI::detail::to_lower(name) != known) continue;
+    name = std::to_string(static_cast<int>(preset));
+    return {};
+  }
+  return fmt::format("{} is not best, fast or draft", name);
+}
+
 /// How levels are simplified.
 void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
   program
       .add_option("--preset", chain.preset,
                   "Choose the simplification. best: collapse on position and attributes, two rounds of refit; "
                   "fast: collapse without weighting normals, one round of refit; draft: meshoptimizer, no refit")
-      ->transform(CLI::Validator(CLI::CheckedTransformer(
-                                     std::map<std::string, Preset>{
-                                         {"best", Preset::kBest}, {"fast", Preset::kFast}, {"draft", Preset::kDraft}},
-                                     CLI::ignore_case))
-                      .description(""))
+      ->transform(CLI::Validator(presetNumber, ""))
       ->type_name("best|fast|draft")
       ->default_str("best");
   program

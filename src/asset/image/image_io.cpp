@@ -57,11 +57,12 @@ const Format* findFormat(std::span<const std::byte> encoded) {
 }
 
 const Format& requireFormat(std::span<const std::byte> encoded) {
+  if (encoded.empty()) throw Error(ErrorCode::kMalformed, "the picture is empty");
   if (const Format* format = findFormat(encoded)) return *format;
   const std::string_view name = foreignName({reinterpret_cast<const char*>(encoded.data()), encoded.size()});
   throw Error(ErrorCode::kUnsupported,
               name.empty() ? std::string("the picture is neither PNG, JPEG nor WebP")
-                           : fmt::format("the picture is a {} file; PNG, JPEG and WebP are read", name));
+                           : fmt::format("the format of the picture is {}; PNG, JPEG and WebP are read", name));
 }
 
 /// Keeps all rows. Memory is reserved at once and filled row by row, so that a file which ends early costs only what it
@@ -154,6 +155,10 @@ void checkImage(std::span<const std::byte> encoded, const ImageLimits& limits, c
 
 void savePng(const ImageRgba8& image, const std::filesystem::path& path) {
   writeFileAtomic(path, encodePng(image));
+}
+
+ImageSize imageFileSize(const std::filesystem::path& path, const ImageLimits& limits) {
+  return imageSize(readFile(path, kMaxImageFileBytes), limits, path);
 }
 
 ImageRgba8 loadImage(const std::filesystem::path& path, const ImageLimits& limits) {
