@@ -168,17 +168,19 @@ void validateNodes(const Model& model) {
 }
 
 /// localTransform with the node's index in its message. Errors: kMalformed (a rotation without direction, a transform
-/// that is not finite as floats).
+/// that is not finite as floats or not affine).
 glm::dmat4 nodeTransform(const tinygltf::Node& node, int index) {
-  try {
-    const glm::dmat4 local = localTransform(node);
-    if (glm::row(local, 3) != glm::dvec4(0.0, 0.0, 0.0, 1.0))
-      malformed(fmt::format("node {}: the last row of the matrix is not 0 0 0 1", index));
-    if (isFinite(local)) return local;
-  } catch (const Error& error) {
-    throw Error(error.code(), fmt::format("node {}: {}", index, error.what()));
-  }
-  malformed(fmt::format("node {}: transform is not finite", index));
+  const glm::dmat4 local = [&] {
+    try {
+      return localTransform(node);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("node {}: {}", index, error.what()));
+    }
+  }();
+  if (!isFinite(local)) malformed(fmt::format("node {}: transform is not finite", index));
+  if (glm::row(local, 3) != glm::dvec4(0.0, 0.0, 0.0, 1.0))
+    malformed(fmt::format("node {}: the last row of the matrix is not 0 0 0 1", index));
+  return local;
 }
 
 std::vector<std::uint8_t> markChildren(const Model& model) {

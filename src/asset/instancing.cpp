@@ -107,7 +107,7 @@ std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limit
   checkVectors(model, node, found.scale, limits);
   if (found.rotation < 0) return found.count;
   if (!isComplete(model.accessors[static_cast<std::size_t>(found.rotation)]))
-    malformed(node, "has rotations without direction");
+    throw Error(ErrorCode::kMalformed, fmt::format("accessor {} holds a quaternion without direction", found.rotation));
   readQuaternions(model, found.rotation, limits.maxInstances);
   return found.count;
 }

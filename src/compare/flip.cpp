@@ -36,11 +36,13 @@ constexpr std::array<Color, 3> inverseMatrix() {
   double determinant = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
     determinant += m[0][c] * (m[1][(c + 1) % 3] * m[2][(c + 2) % 3] - m[1][(c + 2) % 3] * m[2][(c + 1) % 3]);
-  for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t c = 0; c < 3; ++c)
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
       result[c][r] = (m[(r + 1) % 3][(c + 1) % 3] * m[(r + 2) % 3][(c + 2) % 3] -
                       m[(r + 1) % 3][(c + 2) % 3] * m[(r + 2) % 3][(c + 1) % 3]) /
                      determinant;
+    }
+  }
   return result;
 }
 constexpr std::array<Color, 3> kRgbFromXyz = inverseMatrix();

@@ -112,6 +112,7 @@ std::vector<Group> groupsBySize(std::span<const asset::ImageSize> images, std::u
     group.images.push_back(i);
   }
   std::vector<Group> result;
+  result.reserve(groups.size());
   for (auto& [size, group] : groups)
     result.push_back(std::move(group));
   return result;

@@ -1,6 +1,7 @@
 // What the program refuses because of memory: before it allocates, with the reason and the option in one line.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -142,7 +143,7 @@ TEST_F(MemoryLimits, MoreMeshesThanARowOfWorkgroupsAreDrawn) {
   model.meshes.resize(65'600, model.meshes[static_cast<std::size_t>(mesh)]);
   for (int i = 0; i < 65'600; ++i)
     model.scenes[0].nodes.push_back(
-        test::addMeshNode(model, i, {static_cast<double>(i % 256), static_cast<double>(i / 256), 0.0}));
+        test::addMeshNode(model, i, {static_cast<double>(i % 256), std::floor(i / 256.0), 0.0}));
   asset::saveGlb(model, file("meshes.glb"));
   const ProgramResult counted =
       jalousie({"render", file("meshes.glb"), "--stats-only", "--mode", "full", "--lod", "finest", "--json", "-"});

@@ -243,7 +243,7 @@ TEST(GltfHostile, ViewsAndSparseBlocksCannotReadTheSameBytesForEver) {
   for (std::size_t i = 60; i < 100; ++i)
     views["bufferViews"][i] = view;
   EXPECT_EQ(load(glb(views.dump(), chunk)), ErrorCode::kLimit);
-  for (std::size_t i = 1; i < 2000; ++i)
+  for (std::size_t i = 1; i < 2000; ++i) {
     document["accessors"][i] = {{"componentType", 5126},
                                 {"count", 4000},
                                 {"type", "SCALAR"},
@@ -251,6 +251,7 @@ TEST(GltfHostile, ViewsAndSparseBlocksCannotReadTheSameBytesForEver) {
                                  {{"count", 4000},
                                   {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
                                   {"values", {{"bufferView", 2}}}}}};
+  }
   EXPECT_EQ(load(glb(document.dump(), chunk)), ErrorCode::kMalformed) << "indices that do not ascend";
   for (std::size_t i = 2000; i < 4000; ++i)
     document["accessors"][i] = document["accessors"][1];

@@ -56,6 +56,7 @@ TEST(ImageIo, SavedFileLoads) {
 TEST(ImageIo, OtherFormatsNeverReachTheDecoder) {
   for (const std::string_view text : {"GIF89a\1\0\1\0\0\0\0;", "BM....", "#?RADIANCE\n", "P6 1 1 255 abc", "8BPS"})
     EXPECT_EQ(codeOf([&] { decodeImage(asBytes(text), {64}); }), ErrorCode::kUnsupported) << text;
+  EXPECT_EQ(codeOf([&] { decodeImage({}, {64}); }), ErrorCode::kMalformed) << "empty";
 }
 
 TEST(ImageIo, TruncatedPngIsMalformed) {

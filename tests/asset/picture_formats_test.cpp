@@ -72,14 +72,17 @@ void expectPng(const PngSpec& spec) {
 TEST(PictureFormats, PngOfEveryTypeAndDepth) {
   const std::array<std::vector<unsigned>, 7> depths = {
       {{1, 2, 4, 8, 16}, {}, {8, 16}, {1, 2, 4, 8}, {8, 16}, {}, {8, 16}}};
-  for (unsigned type = 0; type < depths.size(); ++type)
-    for (const unsigned depth : depths[type])
-      for (const bool interlaced : {false, true})
+  for (unsigned type = 0; type < depths.size(); ++type) {
+    for (const unsigned depth : depths[type]) {
+      for (const bool interlaced : {false, true}) {
         for (const std::uint32_t width : {1U, 3U, 13U}) {
           PngSpec spec{.width = width, .height = 11, .depth = depth, .colourType = type, .interlaced = interlaced};
           if (type == 3) spec.before = paletteChunk(depth);
           expectPng(spec);
         }
+      }
+    }
+  }
 }
 
 TEST(PictureFormats, PngTransparencyByColour) {
@@ -94,11 +97,12 @@ TEST(PictureFormats, PngTransparencyByColour) {
   deep.before = pngChunk("tRNS", colour);
   const ImageRgba8 greyImage = decodeImage(asBytes(pngFile(grey)));
   const ImageRgba8 deepImage = decodeImage(asBytes(pngFile(deep)));
-  for (std::uint32_t y = 0; y < grey.height; ++y)
+  for (std::uint32_t y = 0; y < grey.height; ++y) {
     for (std::uint32_t x = 0; x < grey.width; ++x) {
       EXPECT_EQ(pixelOf(greyImage, x, y)[3], pngSample(grey, x, y, 0) == 2 ? 0 : 255);
       EXPECT_EQ(pixelOf(deepImage, x, y)[3], x == 5 && y == 6 ? 0 : 255);  // all 16 bits decide
     }
+  }
 }
 
 TEST(PictureFormats, PngTransparencyOfAPalette) {

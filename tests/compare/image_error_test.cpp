@@ -103,11 +103,13 @@ ImageRgba8 blurred(const ImageRgba8& image, int radius) {
   return paint(image.width, image.height, [&](int x, int y) {
     Rgb sum = {};
     int count = 0;
-    for (int v = std::max(y - radius, 0); v <= std::min<int>(y + radius, static_cast<int>(image.height) - 1); ++v)
+    for (int v = std::max(y - radius, 0); v <= std::min<int>(y + radius, static_cast<int>(image.height) - 1); ++v) {
       for (int u = std::max(x - radius, 0); u <= std::min<int>(x + radius, static_cast<int>(image.width) - 1);
-           ++u, ++count)
+           ++u, ++count) {
         for (std::size_t c = 0; c < 3; ++c)
           sum[c] += image.pixels[image.offset(static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v)) + c];
+      }
+    }
     return Rgb{sum[0] / count, sum[1] / count, sum[2] / count};
   });
 }
@@ -304,11 +306,13 @@ TEST(Flip, ErrorReachesNoFurtherThanTheEyeBlurs) {
   // The filter of blue and yellow, the widest: three deviations, rounded up to pixels.
   const double reach = std::ceil(3.0 * std::sqrt(0.04 / 2.0) / std::numbers::pi * kDefaultPixelsPerDegree);
   const std::vector<float> map = flip(a, b);
-  for (int y = 0; y < 60; ++y)
-    for (int x = 0; x < 60; ++x)
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) {
       if (std::max(std::abs(x - 30), std::abs(y - 30)) > reach) {
-        ASSERT_EQ(map[static_cast<std::size_t>(60 * y + x)], 0.0F) << x << " " << y;
+        ASSERT_EQ(map[60 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)], 0.0F) << x << " " << y;
       }
+    }
+  }
   EXPECT_GT(map[60 * 30 + 30], 0.1F);
 }
 
@@ -399,7 +403,8 @@ class PaperFlip {
     int width, height;
     std::vector<double> values;
     double at(int x, int y) const {
-      return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1))];
+      const auto row = static_cast<std::size_t>(std::clamp(y, 0, height - 1));
+      return values[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(std::clamp(x, 0, width - 1))];
     }
   };
   struct Kernel {

@@ -144,12 +144,13 @@ Bytes bytesOf(const std::string& text) {
 
 std::uint64_t trianglesOf(const tinygltf::Model& model) {
   std::uint64_t corners = 0;
-  for (const tinygltf::Mesh& mesh : model.meshes)
+  for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (primitive.indices >= 0) corners += model.accessors[static_cast<std::size_t>(primitive.indices)].count;
       for (const auto& [name, accessor] : primitive.attributes)
         corners += model.accessors[static_cast<std::size_t>(accessor)].count;
     }
+  }
   return corners / 3;
 }
 

@@ -108,8 +108,7 @@ TEST_F(GoldenGl, TexturesOfDifferentSizesKeepTheirColours) {
     file.materials.push_back(material);
     file.meshes.push_back({"box", {test::box(glm::vec3(0.5F), i + 1)}});
     file.chains.push_back({"box", {{i + 1, 0.0F}}});
-    test::addInstance(file, i + 1, {static_cast<float>(i % 2) - 0.5F, static_cast<float>(i / 2) - 0.5F, 0},
-                      glm::vec3(1));
+    test::addInstance(file, i + 1, {static_cast<float>(i % 2) - 0.5F, i < 2 ? -0.5F : 0.5F, 0}, glm::vec3(1));
   }
   const scene::SceneData scene = scene::buildScene(file);
   ASSERT_GT(scene.textures.layout.classes.size(), 1U);

@@ -144,7 +144,6 @@ void addOthers(std::vector<BrokenPicture>& list) {
   list.push_back({"hdr.png", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n", kUnsupported, "Radiance HDR"});
   list.push_back({"psd.png", std::string("8BPS\0\1", 6) + std::string(20, '\1'), kUnsupported, "PSD"});
   list.push_back({"ktx2.png", "\xABKTX 20\xBB\r\n\x1A\n" + std::string(60, '\0'), kUnsupported, "KTX2"});
-  list.push_back({"empty.png", "", kMalformed, "the picture is empty"});
 }
 
 /// @param places  where chunks or markers begin

@@ -29,6 +29,7 @@ bool opensFiles(std::uint64_t call) {
 
 [[noreturn]] void runChild(std::vector<std::string> words) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words)
     argv.push_back(word.data());
   argv.push_back(nullptr);

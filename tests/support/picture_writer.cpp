@@ -47,12 +47,13 @@ void appendRow(std::string& out, const PngSpec& spec, const Pass& pass, std::uin
   std::uint32_t bits = 0;
   unsigned held = 0;
   out += '\0';  // no filter
-  for (std::uint32_t x = pass.firstX; x < spec.width; x += pass.stepX)
+  for (std::uint32_t x = pass.firstX; x < spec.width; x += pass.stepX) {
     for (unsigned channel = 0; channel < pngChannels(spec); ++channel) {
       bits = bits << spec.depth | pngSample(spec, x, y, channel);
       for (held += spec.depth; held >= 8; held -= 8)
         out += static_cast<char>(bits >> (held - 8) & 255U);
     }
+  }
   if (held > 0) out += static_cast<char>(bits << (8 - held) & 255U);
 }
 
@@ -165,7 +166,7 @@ std::string jpegFile(const JpegSpec& spec) {
   }
   jpeg_finish_compress(&info);
   jpeg_destroy_compress(&info);
-  const std::string file(reinterpret_cast<const char*>(bytes), size);
+  std::string file(reinterpret_cast<const char*>(bytes), size);
   std::free(bytes);
   return file;
 }

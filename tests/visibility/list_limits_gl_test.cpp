@@ -2,6 +2,7 @@
 // rounds.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <vector>
@@ -71,7 +72,7 @@ scene::SceneData manyChains(std::uint32_t count) {
     file.chains[0].levels.push_back({0, 0.01F * static_cast<float>(level)});
   file.chains.resize(count, file.chains[0]);
   for (std::uint32_t i = 0; i < count; ++i)
-    test::addInstance(file, i, {static_cast<float>(i % 256), 0, static_cast<float>(i / 256)},
+    test::addInstance(file, i, {static_cast<float>(i % 256), 0, std::floor(static_cast<float>(i) / 256.0F)},
                       {i % 5 == 0 ? -1.0F : 1.0F, 1, 1});
   return scene::buildScene(file);
 }

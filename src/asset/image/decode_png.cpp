@@ -154,13 +154,14 @@ ImageSize readPng(std::span<const std::byte> encoded, const ImageLimits& limits,
   reader.run(start);
   JAL_CHECK(png_get_rowbytes(decoder.png, decoder.info) == std::size_t{4} * size.width);
   sink->begin(size);
-  for (int pass = 0; pass < decoder.passes; ++pass)
+  for (int pass = 0; pass < decoder.passes; ++pass) {
     for (std::uint32_t y = 0; y < size.height; ++y) {
       // Of an interlaced picture, the last row may not be part of the last pass.
       const bool isLastPass = pass + 1 == decoder.passes || size.height == 1;
       if (isLastPass && y + 2 >= size.height) reader.expectEnd(size.width);
       reader.readRowTo(sink->row(y));
     }
+  }
   reader.run(finish);
   return size;
 }
