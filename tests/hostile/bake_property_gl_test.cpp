@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/error.h"
 #include "core/random.h"
 #include "support/node.h"
 #include "support/rich_gltf.h"
