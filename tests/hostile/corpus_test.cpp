@@ -27,6 +27,10 @@ class HostileCorpus : public test::CorpusTest {
   }
 };
 
+bool isBelow(const fs::path& file, const fs::path& folder) {
+  return file.string().starts_with(folder.string() + "/");
+}
+
 /// Whether a program may open this whatever its input is: libraries, the state of the system, what it writes.
 bool isHarmless(const fs::path& file, const fs::path& outputs) {
   const std::string name = file.string();
@@ -46,7 +50,9 @@ TEST_F(HostileCorpus, EveryFileGetsItsCodeAndReasonAndLeavesNothing) {
     expectVerdict(result, file, file.baker);
     EXPECT_EQ(fs::is_empty(results.path()), file.baker.code != 0);
     EXPECT_LT(result.cpuSeconds, 5.0);
-    EXPECT_LT(result.peakBytes, 512ULL << 20U);
+    // The result is read again as the renderer reads it, and a valid document may have 16 million instances.
+    const std::uint64_t limit = file.name == "memory-instances" ? 1536ULL << 20U : 512ULL << 20U;
+    EXPECT_LT(result.peakBytes, limit);
     fs::remove(results / "out.glb");
     broken += file.baker.code != 0 ? 1U : 0U;
     ++codes[file.baker.code];
@@ -64,13 +70,13 @@ TEST_F(HostileCorpus, NothingOutsideItsFolderIsOpened) {
     const std::optional<std::set<fs::path>> opened =
         test::filesOpenedBy(JALOUSIE_BAKE_PROGRAM, bake(file, results / "out.glb"));
     if (!opened) GTEST_SKIP() << "programs may not be traced here";
-    const std::string folder = fs::canonical(file.input.parent_path()).string() + "/";
+    const fs::path folder = fs::canonical(file.input.parent_path());
     // The input itself may be a link: what it leads to was asked for.
     std::error_code absent;
     const fs::path input = fs::weakly_canonical(file.input, absent);
     EXPECT_TRUE(file.baker.code != 0 || opened->contains(input)) << "the program was not traced";
     for (const fs::path& path : *opened)
-      EXPECT_TRUE(isHarmless(path, outputs) || path.string().starts_with(folder) || path == input) << path;
+      EXPECT_TRUE(isHarmless(path, outputs) || path == folder || isBelow(path, folder) || path == input) << path;
     fs::remove(results / "out.glb");
   }
 }

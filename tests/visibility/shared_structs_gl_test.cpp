@@ -84,6 +84,8 @@ const std::map<std::string, Layout>& expectedLayouts() {
         {JAL_FIELD("ghostStates[0].", ObjectState, verdict), JAL_FIELD("ghostStates[0].", ObjectState, lod),
          JAL_FIELD("ghostStates[0].", ObjectState, tessellation), JAL_FIELD("ghostStates[0].", ObjectState, lv)}}},
       {"SlotBlock", {sizeof(gpu::uint), {{"slots[0]", 0}}}},
+      {"EarlySlotBlock", {sizeof(gpu::uint), {{"earlySlots[0]", 0}}}},
+      {"LateSlotBlock", {sizeof(gpu::uint), {{"lateSlots[0]", 0}}}},
       {"EntryBlock", {sizeof(gpu::uint), {{"entries[0]", 0}}}},
       {"BlockSumBlock", {sizeof(gpu::uint), {{"blockSums[0]", 0}}}},
       {"InstanceBlock", {sizeof(gpu::uint), {{"instances[0]", 0}}}},
