@@ -24,8 +24,8 @@ struct Layout {
   std::map<std::string, std::size_t> fields;  ///< name as the program spells it -> offset
 };
 
-#define JAL_FIELD(prefix, type, field) /* NOLINT(bugprone-macro-parentheses): names, not expressions */ \
-  { prefix #field, offsetof(gpu::type, field) }
+#define JAL_FIELD(prefix, type, field) \
+  { prefix #field, offsetof(gpu::type, field) } /* NOLINT(bugprone-macro-parentheses): names, not expressions */
 
 /// Every field of every shared struct, with the variable name the shaders use.
 const std::map<std::string, Layout>& expectedLayouts() {
