@@ -44,13 +44,15 @@ vec4 fetchBaseColor(uint textureClass, vec3 at, vec2 dx, vec2 dy) {
 /// fragments of a primitive come by: it takes derivatives.
 vec4 baseColor(Material material, vec4 vertexColor, vec2 uv) {
   vec3 at = vec3(uv, material.layer);
-#if JAL_TEXTURE_CLASSES > 1
-  vec4 texel = fetchBaseColor(material.textureClass, at, dFdx(uv), dFdy(uv));
-#else
-  vec4 texel = texture(baseColorLayers[0], at);
-#endif
   vec4 color = material.baseColor * vertexColor;
-  return (material.flags & kMaterialTextured) != 0u ? color * texel : color;
+#if JAL_TEXTURE_CLASSES > 1
+  vec2 dx = dFdx(uv);
+  vec2 dy = dFdy(uv);
+  if ((material.flags & kMaterialTextured) != 0u) color *= fetchBaseColor(material.textureClass, at, dx, dy);
+#else
+  if ((material.flags & kMaterialTextured) != 0u) color *= texture(baseColorLayers[0], at);
+#endif
+  return color;
 }
 
 /// Threshold of a 4x4 ordered dither, in (0, 1): blending without sorting, the same in every frame.
