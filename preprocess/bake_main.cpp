@@ -40,13 +40,7 @@ int run(int argc, char** argv) {
   const std::optional<bake::CommandLine> command = bake::parseCommandLine(argc, argv);
   if (!command) return 0;
   if (!command->inspect) return bake::runBake(*command);
-  try {
-    inspect(*command);
-  } catch (const Error& error) {
-    // Errors about the content carry no path of their own.
-    if (!error.file().empty() || error.code() == ErrorCode::kUsage) throw;
-    throw Error(error.code(), error.what(), command->inputs.front());
-  }
+  cli::withFile(command->inputs.front(), [&] { inspect(*command); });
   return 0;
 }
 

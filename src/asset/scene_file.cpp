@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
@@ -30,13 +29,6 @@ AlphaMode alphaMode(const std::string& name) {
   if (name == "MASK") return AlphaMode::kMask;
   if (name == "BLEND") return AlphaMode::kBlend;
   return AlphaMode::kOpaque;
-}
-
-bool finite(const glm::mat4& matrix) {
-  for (int i = 0; i < 16; ++i) {
-    if (!std::isfinite(matrix[i / 4][i % 4])) return false;
-  }
-  return true;
 }
 
 /// Primitives may share their accessors, and each is read for itself: what they may ask for follows the file's size.
@@ -123,7 +115,7 @@ class SceneReader {
 
   void readNode(const Visit& visit, const glm::dmat4& worldFromNode) {
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
-    if (!finite(glm::mat4(worldFromNode)))
+    if (!isFinite(worldFromNode))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
     if (node.camera >= 0) {
       auto camera = cameras_.read(visit.node, visit.worldFromParent, worldFromNode);
@@ -197,7 +189,7 @@ class SceneReader {
                                           glm::mat4_cast(glm::dquat(instances.rotations[i])) *
                                           glm::scale(glm::dmat4(1.0), glm::dvec3(instances.scales[i]));
       scene_.instances.push_back({chain, glm::mat4(worldFromNode * nodeFromInstance)});
-      if (!finite(scene_.instances.back().worldFromObject))
+      if (!isFinite(glm::dmat4(scene_.instances.back().worldFromObject)))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
     }
   }
