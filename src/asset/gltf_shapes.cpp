@@ -53,7 +53,8 @@ class ShapeCheck {
 
   const json& requiredList(const json& object, const char* key) const {
     const auto found = object.find(key);
-    if (found == object.end() || !found->is_array() || found->empty()) fail(fmt::format("\"{}\" is no list", key));
+    if (found == object.end() || !found->is_array() || found->empty())
+      fail(fmt::format("\"{}\" is missing, empty or not a list", key));
     return *found;
   }
 

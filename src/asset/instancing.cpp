@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
 #include "asset/accessor.h"
@@ -83,6 +84,12 @@ void checkVectors(const tinygltf::Model& model, int node, int accessor, const Li
     throw Error(ErrorCode::kMalformed, fmt::format("node {}: an instance's translation or scale is not finite", node));
 }
 
+/// A rotation that the file does not hold would have no direction.
+void checkRotations(const tinygltf::Model& model, int accessor) {
+  if (accessor >= 0 && !isComplete(model.accessors[static_cast<std::size_t>(accessor)]))
+    throw Error(ErrorCode::kMalformed, fmt::format("accessor {} holds a quaternion without direction", accessor));
+}
+
 }  // namespace
 
 tinygltf::Value appendInstances(tinygltf::Model& model, const Instances& instances) {
@@ -105,24 +112,37 @@ std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limit
   const Attributes found = attributesOf(model, node, limits);
   checkVectors(model, node, found.translation, limits);
   checkVectors(model, node, found.scale, limits);
-  if (found.rotation < 0) return found.count;
-  if (!isComplete(model.accessors[static_cast<std::size_t>(found.rotation)]))
-    throw Error(ErrorCode::kMalformed, fmt::format("accessor {} holds a quaternion without direction", found.rotation));
-  readQuaternions(model, found.rotation, limits.maxInstances);
+  checkRotations(model, found.rotation);
+  if (found.rotation >= 0) readQuaternions(model, found.rotation, limits.maxInstances);
   return found.count;
 }
 
-Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits) {
+glm::dmat4 InstanceTransforms::nodeFromInstance(std::uint64_t i) const {
+  const auto at = [i](const auto& of) { return of[of.size() == 1 ? 0 : i]; };
+  return glm::translate(glm::dmat4(1.0), glm::dvec3(at(values.translations))) *
+         glm::mat4_cast(glm::dquat(at(values.rotations))) * glm::scale(glm::dmat4(1.0), glm::dvec3(at(values.scales)));
+}
+
+bool InstanceTransforms::areEqual() const {
+  return values.translations.size() == 1 && values.rotations.size() == 1 && values.scales.size() == 1;
+}
+
+InstanceTransforms readInstances(const tinygltf::Model& model, int node, const Limits& limits) {
   const Attributes found = attributesOf(model, node, limits);
   if (found.count == 0) return {};
-  Instances instances;
-  instances.translations = found.translation >= 0 ? readVec3(model, found.translation, limits.maxInstances)
-                                                  : std::vector<glm::vec3>(found.count, glm::vec3(0.0F));
-  instances.rotations = found.rotation >= 0 ? readQuaternions(model, found.rotation, limits.maxInstances)
-                                            : std::vector<glm::quat>(found.count, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
-  instances.scales = found.scale >= 0 ? readVec3(model, found.scale, limits.maxInstances)
-                                      : std::vector<glm::vec3>(found.count, glm::vec3(1.0F));
-  return instances;
+  const auto vectors = [&](int accessor, float missing) {
+    if (accessor < 0) return std::vector<glm::vec3>{glm::vec3(missing)};
+    checkVectors(model, node, accessor, limits);
+    const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+    if (source.bufferView < 0 && !source.sparse.isSparse) return std::vector<glm::vec3>{glm::vec3(0.0F)};
+    return readVec3(model, accessor, limits.maxInstances);
+  };
+  checkRotations(model, found.rotation);
+  return {found.count,
+          {vectors(found.translation, 0.0F),
+           found.rotation >= 0 ? readQuaternions(model, found.rotation, limits.maxInstances)
+                               : std::vector<glm::quat>{glm::quat(1.0F, 0.0F, 0.0F, 0.0F)},
+           vectors(found.scale, 1.0F)}};
 }
 
 }  // namespace jalousie::asset

@@ -26,8 +26,20 @@ std::uint64_t countInstances(const tinygltf::Model& model, int node, const Limit
 /// Checks counts, types, ranges and rotations as readInstances does. Allocates only what follows the file's size:
 /// accessors without data are not expanded. @return  countInstances   Errors: kMalformed, kLimit.
 std::uint64_t checkInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
-/// Reads a node's instances; missing attributes are identity; empty vectors if the node has no such extension.
+
+/// A node's instances as a file holds them.
+struct InstanceTransforms {
+  std::uint64_t count = 0;  ///< 0 if the node has no such extension
+  Instances values;         ///< each vector has `count` elements, or one that all instances share
+
+  /// Transform of one instance. @param i  below count
+  [[nodiscard]] glm::dmat4 nodeFromInstance(std::uint64_t i) const;
+  /// Whether all instances share one transform, which is at index 0.
+  [[nodiscard]] bool areEqual() const;
+};
+
+/// Reads a node's instances. Missing attributes are identity; these and accessors without data are not expanded.
 /// Errors: kMalformed (counts differ), kLimit.
-Instances readInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
+InstanceTransforms readInstances(const tinygltf::Model& model, int node, const Limits& limits = {});
 
 }  // namespace jalousie::asset

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <map>
 #include <string>
@@ -45,14 +43,17 @@ struct Visit {
   glm::dmat4 worldFromParent;
 };
 
+/// What a reader keeps of instances and images.
+enum class Keep { kAll, kNothing };
+
 class SceneReader {
  public:
-  SceneReader(const Model& model, const Limits& limits)
-      : model_(model), limits_(limits), budget_{demandLimit(model, limits)}, cameras_(model, limits) {}
+  SceneReader(const Model& model, const Limits& limits, Keep keep)
+      : model_(model), limits_(limits), keep_(keep), budget_{demandLimit(model, limits)}, cameras_(model, limits) {}
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
-    scene_.instances.reserve(size.instances);
+    if (keep_ == Keep::kAll) scene_.instances.reserve(size.instances);
     scene_.images.edit().reserve(size.images.size());
     scene_.cameras.reserve(size.cameras);
     readMaterials();
@@ -92,7 +93,7 @@ class SceneReader {
 
   /// Decodes an image at its first use.
   std::optional<std::uint32_t> baseColorImage(const tinygltf::TextureInfo& texture) {
-    if (texture.index < 0 || texture.texCoord != 0) return std::nullopt;
+    if (texture.index < 0 || texture.texCoord != 0 || keep_ == Keep::kNothing) return std::nullopt;
     const int source = detail::imageOfTexture(model_.textures[static_cast<std::size_t>(texture.index)]);
     if (source < 0) return std::nullopt;
     const auto known = imageIndex_.find(source);
@@ -182,20 +183,24 @@ class SceneReader {
   }
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
-    const Instances instances = readInstances(model_, node, limits_);
-    if (instances.translations.empty()) scene_.instances.push_back({chain, glm::mat4(worldFromNode)});
-    for (std::size_t i = 0; i < instances.translations.size(); ++i) {
-      const glm::dmat4 nodeFromInstance = glm::translate(glm::dmat4(1.0), glm::dvec3(instances.translations[i])) *
-                                          glm::mat4_cast(glm::dquat(instances.rotations[i])) *
-                                          glm::scale(glm::dmat4(1.0), glm::dvec3(instances.scales[i]));
-      scene_.instances.push_back({chain, glm::mat4(worldFromNode * nodeFromInstance)});
-      if (!isFinite(glm::dmat4(scene_.instances.back().worldFromObject)))
+    const InstanceTransforms instances = readInstances(model_, node, limits_);
+    if (instances.count == 0) addInstance(chain, glm::mat4(worldFromNode));
+    const bool once = keep_ == Keep::kNothing && instances.areEqual();
+    for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
+      const glm::mat4 worldFromObject(worldFromNode * instances.nodeFromInstance(i));
+      if (!isFinite(glm::dmat4(worldFromObject)))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
+      addInstance(chain, worldFromObject);
     }
+  }
+
+  void addInstance(std::uint32_t chain, const glm::mat4& worldFromObject) {
+    if (keep_ == Keep::kAll) scene_.instances.push_back({chain, worldFromObject});
   }
 
   const Model& model_;
   const Limits& limits_;
+  Keep keep_;
   detail::ElementBudget budget_;
   detail::CameraReader cameras_;
   std::uint64_t pixelBytes_ = 0;
@@ -204,6 +209,22 @@ class SceneReader {
   std::map<int, std::optional<std::uint32_t>> meshIndex_;
   std::map<std::vector<int>, std::optional<std::uint32_t>> chainIndex_;
 };
+
+SceneFile read(const Model& model, const std::filesystem::path& path, const Limits& limits, Keep keep,
+               const SizeCheck& check) {
+  try {
+    const SceneSize size = measureScene(model, limits);
+    if (size.instances > limits.maxInstances)
+      throw Error(ErrorCode::kLimit, fmt::format("{} instances, the limit is {}", size.instances, limits.maxInstances));
+    if (check) check(size);
+    return SceneReader(model, limits, keep).read(size);
+  } catch (const Error& error) {
+    if (!error.file().empty()) throw;
+    throw Error(error.code(), error.what(), path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kLimit, "out of memory", path);
+  }
+}
 
 }  // namespace
 
@@ -214,18 +235,11 @@ SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits,
 
 SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits,
                     const SizeCheck& check) {
-  try {
-    const SceneSize size = measureScene(model, limits);
-    if (size.instances > limits.maxInstances)
-      throw Error(ErrorCode::kLimit, fmt::format("{} instances, the limit is {}", size.instances, limits.maxInstances));
-    if (check) check(size);
-    return SceneReader(model, limits).read(size);
-  } catch (const Error& error) {
-    if (!error.file().empty()) throw;
-    throw Error(error.code(), error.what(), path);
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kLimit, "out of memory", path);
-  }
+  return read(model, path, limits, Keep::kAll, check);
+}
+
+void checkScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {
+  read(model, path, limits, Keep::kNothing, {});
 }
 
 }  // namespace jalousie::asset

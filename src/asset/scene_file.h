@@ -28,5 +28,7 @@ SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits 
 /// As readSceneFile, for a document that is loaded already. @param path  the document's file, for messages
 SceneFile readScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {},
                     const SizeCheck& check = {});
+/// Reads a scene as readScene does, for its errors alone: keeps no instances and decodes no images.
+void checkScene(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
 
 }  // namespace jalousie::asset

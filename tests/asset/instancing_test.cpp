@@ -1,6 +1,8 @@
 // Instances written to and read from EXT_mesh_gpu_instancing.
 #include "asset/instancing.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "asset/asset_fixtures.h"
 
 namespace jalousie::asset {
@@ -29,7 +31,7 @@ TEST(Instancing, SurvivesAFile) {
   saveGlb(instancedModel(), folder / "instanced.glb");
   const tinygltf::Model model = loadGltf(folder / "instanced.glb");
   EXPECT_EQ(model.extensionsUsed, std::vector<std::string>{"EXT_mesh_gpu_instancing"});
-  const Instances read = readInstances(model, 0);
+  const Instances read = readInstances(model, 0).values;
   const Instances expected = threeInstances();
   EXPECT_EQ(read.translations, expected.translations);
   EXPECT_EQ(read.scales, expected.scales);
@@ -56,15 +58,33 @@ TEST(Instancing, AccessorsOutliveTheRenumberingOfEncode) {
 TEST(Instancing, MissingAttributesAreIdentity) {
   tinygltf::Model model;
   test::addNode(model, test::addTriangle(model));
-  EXPECT_TRUE(readInstances(model, 0).translations.empty());
+  EXPECT_EQ(readInstances(model, 0).count, 0U);
   const int scale = appendVec3(model, std::vector<glm::vec3>{{2, 2, 2}, {3, 3, 3}}, 0);
   tinygltf::Value::Object attributes{{"SCALE", tinygltf::Value(scale)}};
   model.nodes[0].extensions["EXT_mesh_gpu_instancing"] =
       tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(attributes)}});
-  const Instances read = readInstances(model, 0);
-  EXPECT_EQ(read.translations, std::vector<glm::vec3>(2, glm::vec3(0.0F)));
-  EXPECT_EQ(read.rotations, std::vector<glm::quat>(2, glm::quat(1, 0, 0, 0)));
-  EXPECT_EQ(read.scales[1], glm::vec3(3.0F));
+  const InstanceTransforms read = readInstances(model, 0);
+  EXPECT_EQ(read.count, 2U);
+  EXPECT_FALSE(read.areEqual());
+  EXPECT_EQ(read.nodeFromInstance(0), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
+  EXPECT_EQ(read.nodeFromInstance(1), glm::scale(glm::dmat4(1.0), glm::dvec3(3.0)));
+}
+
+TEST(Instancing, AccessorsWithoutDataAreNotExpanded) {
+  tinygltf::Model model = instancedModel();
+  tinygltf::Accessor zeros;
+  zeros.type = TINYGLTF_TYPE_VEC3;
+  zeros.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  zeros.count = std::size_t{1} << 24U;
+  model.accessors.push_back(zeros);
+  const int accessor = static_cast<int>(model.accessors.size()) - 1;
+  model.nodes[0].extensions["EXT_mesh_gpu_instancing"] = tinygltf::Value(tinygltf::Value::Object{
+      {"attributes", tinygltf::Value(tinygltf::Value::Object{{"TRANSLATION", tinygltf::Value(accessor)}})}});
+  const InstanceTransforms read = readInstances(model, 0);
+  EXPECT_EQ(read.count, zeros.count);
+  EXPECT_TRUE(read.areEqual());
+  EXPECT_EQ(read.values.translations.size(), 1U);
+  EXPECT_EQ(read.nodeFromInstance(read.count - 1), glm::dmat4(1.0));
 }
 
 TEST(Instancing, DifferentCountsAreMalformed) {

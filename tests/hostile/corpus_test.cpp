@@ -50,9 +50,7 @@ TEST_F(HostileCorpus, EveryFileGetsItsCodeAndReasonAndLeavesNothing) {
     expectVerdict(result, file, file.baker);
     EXPECT_EQ(fs::is_empty(results.path()), file.baker.code != 0);
     EXPECT_LT(result.cpuSeconds, 5.0);
-    // The result is read again as the renderer reads it, and a valid document may have 16 million instances.
-    const std::uint64_t limit = file.name == "memory-instances" ? 1536ULL << 20U : 512ULL << 20U;
-    EXPECT_LT(result.peakBytes, limit);
+    EXPECT_LT(result.peakBytes, 512ULL << 20U);
     fs::remove(results / "out.glb");
     broken += file.baker.code != 0 ? 1U : 0U;
     ++codes[file.baker.code];

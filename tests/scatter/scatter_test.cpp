@@ -59,9 +59,9 @@ TEST(Scatter, ChainAndMaterialsSurvive) {
 
 TEST(Scatter, LevelsShareTheInstancesAndTheCoverage) {
   const tinygltf::Model model = scatter(parse({"--count", "20"})).model;
-  const asset::Instances first = asset::readInstances(model, 0);
+  const asset::Instances first = asset::readInstances(model, 0).values;
   for (const int node : asset::lodNodes(model, 0))
-    EXPECT_EQ(asset::readInstances(model, node).translations, first.translations);
+    EXPECT_EQ(asset::readInstances(model, node).values.translations, first.translations);
   EXPECT_EQ(asset::lodNodes(model, 0).size(), 2U);
   EXPECT_EQ(asset::lodCoverage(model.nodes[0]), (std::vector<float>{0.5F, 0.1F, 0.0F}));
 }
@@ -117,7 +117,7 @@ TEST(Scatter, OccluderIsAnObjectOfItsOwn) {
 
 TEST(Scatter, OccluderDoesNotMoveTheObjects) {
   const auto translations = [](const ScatteredScene& scene) {
-    return asset::readInstances(scene.model, 0).translations;
+    return asset::readInstances(scene.model, 0).values.translations;
   };
   EXPECT_EQ(translations(scatter(parse({"--count", "9"}))),
             translations(scatter(parse({"--count", "9", "--occluder", "foliage"}))));

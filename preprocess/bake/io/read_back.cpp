@@ -12,10 +12,7 @@ namespace jalousie::bake {
 
 void requireReadable(std::span<const std::byte> glb, const std::filesystem::path& file) {
   try {
-    tinygltf::Model model = asset::parseGltf(glb, file);
-    for (tinygltf::Material& material : model.materials)
-      material.pbrMetallicRoughness.baseColorTexture.index = -1;  // the scene reader would decode the images
-    asset::readScene(model, file);
+    asset::checkScene(asset::parseGltf(glb, file), file);
   } catch (const Error& error) {
     const std::string prefix = file.string() + ": ";
     const std::string reason = error.what();
