@@ -62,6 +62,7 @@ endfunction()
 # jalousie_add_test(NAME LABELS label... SOURCES ... [LIBS ...] [TIMEOUT s])
 # A GoogleTest program. Label `cpu`: one ctest entry per case. Labels `gl`, `golden`, `slow`: one entry for the whole
 # program, so that the context and its compiled shaders are made once. The presets leave `slow` out.
+# The target cpu_tests builds the programs of label `cpu` and what they need.
 function(jalousie_add_test name)
   cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -80,6 +81,10 @@ function(jalousie_add_test name)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
   else()
+    if(NOT TARGET cpu_tests)
+      add_custom_target(cpu_tests)
+    endif()
+    add_dependencies(cpu_tests ${name})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}."
       PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
   endif()
