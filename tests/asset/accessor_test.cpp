@@ -142,9 +142,10 @@ TEST(Accessor, SparseIndicesMustAscendAndStayInRange) {
   tinygltf::Model model;
   const int beyond = addSparse<float>(model, {1, 5}, {5.0F, 7.0F}, 5);
   const int repeated = addSparse<float>(model, {2, 2}, {5.0F, 7.0F}, 5);
+  const int descending = addSparse<float>(model, {3, 1}, {5.0F, 7.0F}, 5);
   const int tooMany = addSparse<float>(model, {0, 1, 2}, {5.0F, 7.0F, 9.0F}, 2);
   const int shortValues = addSparse<float>(model, {0, 1}, {5.0F}, 5);
-  for (const int accessor : {beyond, repeated, tooMany, shortValues})
+  for (const int accessor : {beyond, repeated, descending, tooMany, shortValues})
     EXPECT_EQ(codeOf([&] { readScalars(model, accessor, kAny); }), ErrorCode::kMalformed) << accessor;
 }
 

@@ -38,6 +38,17 @@ std::optional<ErrorCode> load(const std::string& bytes, const Limits& limits = {
   return codeOf([&] { readSceneFile(file, limits); });
 }
 
+/// What parseGltf says about a document around the triangle; empty if it accepts it.
+std::string reasonOf(const json& document, const Limits& limits = {}) {
+  const std::string bytes = glb(document.dump(), kTriangle);
+  try {
+    parseGltf(std::as_bytes(std::span(bytes.data(), bytes.size())), "hostile.glb", limits);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 std::optional<ErrorCode> loadPatched(const char* pointer, const json& value) {
   json document = validDocument();
   document[json::json_pointer(pointer)] = value;
@@ -214,6 +225,16 @@ TEST(GltfHostile, RangesOutsideTheirContainer) {
   EXPECT_EQ(loadPatched("/bufferViews/0/byteStride", 8), ErrorCode::kMalformed);
 }
 
+/// No accessor uses the second view, so that no other check can refuse it.
+TEST(GltfHostile, AViewWithAnOffsetEndsInItsBuffer) {
+  json document = validDocument();
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 4}, {"byteLength", 32}});
+  EXPECT_EQ(load(glb(document.dump(), kTriangle)), std::nullopt);
+  document["bufferViews"][1]["byteLength"] = 33;
+  EXPECT_EQ(reasonOf(document), "hostile.glb: buffer view 1 reaches outside its buffer of 36 bytes");
+  EXPECT_EQ(load(glb(document.dump(), kTriangle)), ErrorCode::kMalformed);
+}
+
 TEST(GltfHostile, HugeCountWithoutAViewHitsTheLimit) {
   json document = validDocument();
   document["accessors"][0].erase("bufferView");
@@ -291,6 +312,19 @@ TEST(GltfHostile, InstanceCapCountsAllNodes) {
   EXPECT_EQ(load(glb(document.dump(), kTriangle), limits), std::nullopt);
   limits.maxInstances = 3;
   EXPECT_EQ(load(glb(document.dump(), kTriangle), limits), ErrorCode::kLimit);
+}
+
+/// The document itself is refused: scenes are counted again when they are read, but not every program reads one.
+TEST(GltfHostile, InstanceCapCountsAllNodesOfADocument) {
+  json document = validDocument();
+  const json instances = {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", 0}}}}}};
+  document["nodes"][0]["extensions"] = instances;
+  document["nodes"][1] = {{"mesh", 0}, {"extensions", instances}};
+  Limits limits;
+  limits.maxInstances = 6;
+  EXPECT_EQ(reasonOf(document, limits), "");
+  limits.maxInstances = 5;
+  EXPECT_EQ(reasonOf(document, limits), "hostile.glb: more than 5 instances");
 }
 
 TEST(GltfHostile, PositionsThatAreNotFinite) {

@@ -96,8 +96,31 @@ TEST(Instancing, DifferentCountsAreMalformed) {
 TEST(Instancing, CountAboveTheLimitIsRefused) {
   const tinygltf::Model model = instancedModel();
   Limits limits;
+  limits.maxInstances = 3;
+  EXPECT_EQ(countInstances(model, 0, limits), 3U);
+  limits.maxInstances = 2;
+  try {
+    countInstances(model, 0, limits);
+    ADD_FAILURE() << "three instances pass a limit of two";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kLimit);
+    EXPECT_STREQ(error.what(), "node 0: 3 instances, the limit is 2");
+  }
+  EXPECT_EQ(codeOf([&] { readInstances(model, 0, limits); }), ErrorCode::kLimit);
+}
+
+/// Attributes that are not read are not counted by any accessor's own limit.
+TEST(Instancing, CountOfUnknownAttributesHasTheLimit) {
+  tinygltf::Model model = instancedModel();
+  const int accessor = appendScalars(model, std::vector<float>{0, 1, 2}, 0);
+  model.nodes[0].extensions["EXT_mesh_gpu_instancing"] = tinygltf::Value(tinygltf::Value::Object{
+      {"attributes", tinygltf::Value(tinygltf::Value::Object{{"_ID", tinygltf::Value(accessor)}})}});
+  Limits limits;
+  limits.maxInstances = 3;
+  EXPECT_EQ(readInstances(model, 0, limits).count, 3U);
   limits.maxInstances = 2;
   EXPECT_EQ(codeOf([&] { readInstances(model, 0, limits); }), ErrorCode::kLimit);
+  EXPECT_EQ(codeOf([&] { checkInstances(model, 0, limits); }), ErrorCode::kLimit);
 }
 
 }  // namespace

@@ -222,6 +222,23 @@ TEST(Ssim, OfUniformPicturesComparesTheirMeans) {
                 (2.0 * a * b + kC1) / (a * a + b * b + kC1), 1e-12);
 }
 
+TEST(Ssim, OfOneWindowIsWhatThePublishedConstantsGive) {
+  // A window of 8x8 pixels, half of them `left` and half `right`. With n - 1 = 63, halves of 100 and 110 have the mean
+  // 105 and the variance 64 * 5 * 5 / 63 = 1600 / 63. The paper's constants are C1 = (0.01 * 255)^2 = 6.5025 and
+  // C2 = (0.03 * 255)^2 = 58.5225.
+  const auto halves = [](int left, int right) {
+    return paint(kLeastSsimSide, kLeastSsimSide, [&](int x, int) {
+      const int grey = x < 4 ? left : right;
+      return Rgb{grey, grey, grey};
+    });
+  };
+  // Equal means, the covariance -1600 / 63: (58.5225 - 3200 / 63) / (58.5225 + 3200 / 63).
+  EXPECT_NEAR(ssim(halves(100, 110), halves(110, 100)), 0.070701805, 1e-9);
+  // Means 105 and 110, variances 1600 / 63 and 6400 / 63, the covariance 3200 / 63:
+  // (2 * 105 * 110 + 6.5025) (6400 / 63 + 58.5225) / ((105^2 + 110^2 + 6.5025) (8000 / 63 + 58.5225)).
+  EXPECT_NEAR(ssim(halves(100, 110), halves(100, 120)), 0.862161968, 1e-9);
+}
+
 TEST(Ssim, ForgivesBrightnessAndNotStructure) {
   // The same squared error: once as a step that leaves the structure, once as noise that hides it.
   const ImageRgba8 scene = blurred(structure(96, 64), 2);
