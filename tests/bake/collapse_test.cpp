@@ -15,6 +15,7 @@
 #include "bake/simplify/collapse_checks.h"
 #include "bake/simplify/collapse_error.h"
 #include "bake/simplify/collapse_topology.h"
+#include "bake/simplify/draft.h"
 #include "bake/simplify/measure.h"
 #include "bake/simplify/refit.h"
 #include "core/random.h"
@@ -181,10 +182,9 @@ TEST(Collapse, TangentsFollowAndStayUsable) {
   }
 }
 
-TEST(Collapse, BordersBetweenMaterialsStayWatertight) {
-  // A sphere whose upper half is another primitive.
-  const asset::Primitive ball = test::sphere(48, 32);
-  CombinedMesh source = test::combined(ball);
+/// The triangles of a mesh in two primitives with the same vertices: those with y above 0 are in the second one.
+CombinedMesh withTwoMaterials(const asset::Primitive& mesh) {
+  CombinedMesh source = test::combined(mesh);
   const CombinedMesh copy = source;
   const auto vertices = static_cast<std::uint32_t>(copy.positions.size());
   PrimitiveData second = copy.primitives[0];
@@ -200,7 +200,11 @@ TEST(Collapse, BordersBetweenMaterialsStayWatertight) {
     for (std::size_t k = 0; k < 3; ++k)
       source.indices[t + k] += vertices;
   }
-  const WedgeMesh level = collapsed(makeWedges(source), 200);
+  return source;
+}
+
+TEST(Collapse, BordersBetweenMaterialsStayWatertight) {
+  const WedgeMesh level = collapsed(makeWedges(withTwoMaterials(test::sphere(48, 32))), 200);
   EXPECT_LE(level.triangles(), 200U);
   EXPECT_TRUE(test::isClosed(level));
   std::set<std::uint32_t> primitives;
@@ -216,6 +220,20 @@ TEST(Collapse, BordersBetweenMaterialsStayWatertight) {
       straying = std::max(
           {straying, std::abs(double{level.positions[edge.a].y}), std::abs(double{level.positions[edge.b].y})});
   EXPECT_LT(straying, 0.12);  // the equator stays near the equator
+}
+
+/// Flat shading makes the draft choose among all wedges of a vertex, of which some belong to the other material.
+TEST(Collapse, DraftKeepsEveryTriangleInOneMaterial) {
+  const WedgeMesh mesh = makeWedges(withTwoMaterials(test::flatShaded(test::sphere(48, 32))));
+  const std::vector<std::uint32_t> corners = draftCorners(mesh, mesh.corners, 300, false);
+  ASSERT_LE(corners.size(), 3U * 330U);
+  std::set<std::uint32_t> primitives;
+  for (std::size_t t = 0; t < corners.size(); t += 3) {
+    primitives.insert(mesh.primitiveOf[corners[t]]);
+    for (std::size_t k = 1; k < 3; ++k)
+      EXPECT_EQ(mesh.primitiveOf[corners[t + k]], mesh.primitiveOf[corners[t]]) << "triangle " << t / 3;
+  }
+  EXPECT_EQ(primitives.size(), 2U);
 }
 
 TEST(Collapse, SmallLoosePartsGoTheLargestStays) {
