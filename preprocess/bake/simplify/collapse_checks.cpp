@@ -40,7 +40,6 @@ CollapseChecks::CollapseChecks(const WedgeMesh& source, const std::vector<glm::d
 }
 
 bool CollapseChecks::canJoin(std::uint32_t a, std::uint32_t b) const {
-  if (source_.primitiveOf[a] != source_.primitiveOf[b]) return false;
   return !signOffset_ || error_.attributes(a)[*signOffset_] * error_.attributes(b)[*signOffset_] >= 0.0F;
 }
 

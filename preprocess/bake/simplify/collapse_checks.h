@@ -20,8 +20,9 @@ class CollapseChecks {
   CollapseChecks(const WedgeMesh& source, const std::vector<glm::dvec3>& positions, const CollapseError& error,
                  CollapseTopology& topology);
 
-  /// Finds the wedges at u and v and joins those that a shared triangle will bring together. False if wedges would have
-  /// to be joined that cannot be one (two primitives, tangents of opposite handedness), or if there are too many.
+  /// Finds the wedges at u and v and joins those that a shared triangle will bring together, which are therefore of one
+  /// primitive. False if wedges would have to be joined that cannot be one (tangents of opposite handedness), or if
+  /// there are too many.
   /// @param singleWedge  per vertex its wedge if it has just one
   bool gather(std::uint32_t u, std::uint32_t v, std::span<const std::uint32_t> singleWedge, WedgeMerge& merge);
   /// No triangle that stays may turn by more than about 75 degrees or lose its area when u and v move to p.
