@@ -23,7 +23,7 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 done, 2 command line, 3 file not found, 4 cannot be read, 5 malformed, 6 not supported, 7 over a "
     "limit,\n8 cannot be written, 9 no OpenGL 4.5 or no display, 10 a shader does not build, 11 some files of a batch "
     "failed,\n70 a defect, 129, 130, 143 interrupted by SIGHUP, SIGINT, SIGTERM. A failure prints one line on standard "
-    "error;\nexisting output files are unchanged.";
+    "error;\nan existing file that could not be replaced is unchanged.";
 
 /// The deepest subcommand that was given, else the program.
 const CLI::App& chosenCommand(const CLI::App& program) {

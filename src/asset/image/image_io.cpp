@@ -113,11 +113,13 @@ namespace detail {
 void requireSize(const ImageSize& size, const ImageLimits& limits) {
   if (size.width == 0 || size.height == 0) throw Error(ErrorCode::kMalformed, "the picture has no pixels");
   if (size.width > limits.maxSide || size.height > limits.maxSide)
-    throw Error(ErrorCode::kLimit, fmt::format("the picture has {} x {} pixels, the limit is {} a side", size.width,
-                                               size.height, limits.maxSide));
+    throw Error(ErrorCode::kLimit,
+                fmt::format("the picture has {} x {} pixels, the limit is {} a side; no option lifts it", size.width,
+                            size.height, limits.maxSide));
   if (std::uint64_t{size.width} * size.height > limits.maxPixels)
-    throw Error(ErrorCode::kLimit, fmt::format("the picture has {} x {} pixels, the limit is {} in all", size.width,
-                                               size.height, limits.maxPixels));
+    throw Error(ErrorCode::kLimit,
+                fmt::format("the picture has {} x {} pixels, the limit is {} in all; no option lifts it", size.width,
+                            size.height, limits.maxPixels));
 }
 
 void requireBytes(std::uint64_t bytes, std::uint64_t leastBytes, const ImageSize& size) {
