@@ -34,6 +34,10 @@ struct Primitive {
   std::vector<glm::vec4> colors;  ///< COLOR_0, linear; ones if absent
   std::vector<std::uint32_t> indices;
   std::uint32_t material = 0;  ///< index into SceneFile::materials; the last one is glTF's default material
+  /// Where the triangles are in the order of spatial cells: per cell the first index behind its triangles. Ascending
+  /// multiples of 3, the last one is indices.size(). All primitives of all levels of a chain have equally many, or
+  /// none. A cell may be empty.
+  std::vector<std::uint32_t> cellEnds;
 };
 
 struct Mesh {
