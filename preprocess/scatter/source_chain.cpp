@@ -10,6 +10,7 @@
 #include "asset/gltf_file.h"
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
+#include "asset/triangle_count.h"
 #include "core/error.h"
 
 namespace jalousie::scatter {
@@ -56,20 +57,11 @@ Pose decompose(const glm::dmat4& matrix) {
   return {glm::vec3(matrix[3]), glm::quat(glm::quat_cast(linear)), glm::vec3(scale)};
 }
 
-std::uint64_t triangleCount(const Model& model, const tinygltf::Primitive& primitive) {
-  const auto position = primitive.attributes.find("POSITION");
-  if (position == primitive.attributes.end()) return 0;
-  const int accessor = primitive.indices >= 0 ? primitive.indices : position->second;
-  const std::uint64_t corners = model.accessors[static_cast<std::size_t>(accessor)].count;
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLES) return corners / 3;
-  return primitive.mode > TINYGLTF_MODE_TRIANGLES && corners > 2 ? corners - 2 : 0;
-}
-
 void measure(const Model& model, int mesh, bool finest, SourceChain& chain) {
   const std::uint64_t most = asset::Limits{}.maxAccessorElements;
   std::uint64_t triangles = 0;
   for (const tinygltf::Primitive& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives) {
-    triangles += triangleCount(model, primitive);
+    triangles += asset::triangleCount(model, primitive);
     const auto position = primitive.attributes.find("POSITION");
     if (!finest || position == primitive.attributes.end()) continue;
     for (const glm::vec3& p : asset::readVec3(model, position->second, most))
