@@ -202,8 +202,9 @@ Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
   return {low, grid};
 }
 
-/// Lengths of extras.jalousie in the mesh's new object space, with the rounding added to what may be off.
-void rescaleInfo(tinygltf::Mesh& mesh, const Grid& grid) {
+/// Lengths of extras.jalousie in the mesh's new object space, with the rounding added to what may be off. The order of
+/// the triangles stays, and with it the cells.
+void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid& grid) {
   std::optional<LodInfo> info = lodInfo(mesh);
   if (!info) return;
   const double rounding = info->lod > 0 ? std::sqrt(3.0) / 65535.0 : 0.0;  // half a step of each of two surfaces
@@ -216,7 +217,9 @@ void rescaleInfo(tinygltf::Mesh& mesh, const Grid& grid) {
       distance->mean /= grid.side;
     }
   }
+  const CellTriangles cells = lodCells(model, mesh);
   setLodInfo(mesh, *info);
+  if (!cells.empty()) setLodCells(mesh, cells);
 }
 
 /// A child of the node that carries the mesh back to object space.
@@ -286,7 +289,7 @@ void quantizeModel(tinygltf::Model& model) {
           accessor = found->second;
         }
       }
-      if (chain.movable) rescaleInfo(mesh, grid);
+      if (chain.movable) rescaleInfo(model, mesh, grid);
       model.meshes[static_cast<std::size_t>(index)] = std::move(mesh);
       changed = true;
     }

@@ -110,28 +110,49 @@ void validateWeights(const std::vector<double>& weights, const tinygltf::Mesh& m
   requireFinite(weights, owner + ": weights");
 }
 
-void validateMeshes(const Model& model) {
+void validatePrimitive(const Model& model, const tinygltf::Primitive& primitive, std::size_t mesh) {
+  const std::size_t targets = model.meshes[mesh].primitives[0].targets.size();
+  if (primitive.targets.size() != targets)
+    malformed(
+        fmt::format("mesh {}: its primitives have {} and {} morph targets", mesh, targets, primitive.targets.size()));
+  validateAttributes(model, primitive.attributes, mesh);
+  for (const auto& target : primitive.targets)
+    validateAttributes(model, target, mesh);
+  requireOptional(primitive.indices, model.accessors.size(), "mesh", mesh, "index accessor");
+  requireOptional(primitive.material, model.materials.size(), "mesh", mesh, "material");
+  if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+    malformed(fmt::format("mesh {}: primitive mode {}", mesh, primitive.mode));
+}
+
+/// @return  the number of cells of each mesh, 0 where it is not divided
+std::vector<std::size_t> validateMeshes(const Model& model) {
+  std::vector<std::size_t> cells;
+  cells.reserve(model.meshes.size());
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     const tinygltf::Mesh& mesh = model.meshes[i];
+    validateWeights(mesh.weights, mesh, fmt::format("mesh {}", i));
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+      validatePrimitive(model, primitive, i);
     try {
       lodInfo(mesh);
+      cells.push_back(cellCount(lodCells(model, mesh)));
     } catch (const Error& error) {
       throw Error(error.code(), fmt::format("mesh {}: {}", i, error.what()));
     }
-    validateWeights(mesh.weights, mesh, fmt::format("mesh {}", i));
-    for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      if (primitive.targets.size() != mesh.primitives[0].targets.size())
-        malformed(fmt::format("mesh {}: its primitives have {} and {} morph targets", i,
-                              mesh.primitives[0].targets.size(), primitive.targets.size()));
-      validateAttributes(model, primitive.attributes, i);
-      for (const auto& target : primitive.targets)
-        validateAttributes(model, target, i);
-      requireOptional(primitive.indices, model.accessors.size(), "mesh", i, "index accessor");
-      requireOptional(primitive.material, model.materials.size(), "mesh", i, "material");
-      if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
-        malformed(fmt::format("mesh {}: primitive mode {}", i, primitive.mode));
-    }
   }
+  return cells;
+}
+
+/// A cell has the same number in all levels of a chain.
+void validateCells(const Model& model, std::size_t node, int level, const std::vector<std::size_t>& cells) {
+  const int finest = model.nodes[node].mesh;
+  const int mesh = model.nodes[static_cast<std::size_t>(level)].mesh;
+  if (finest < 0) return;
+  const std::size_t expected = cells[static_cast<std::size_t>(finest)];
+  const std::size_t found = cells[static_cast<std::size_t>(mesh)];
+  if (found != expected)
+    malformed(fmt::format("node {}: mesh {} has {} cells, mesh {} of the same chain has {}", node, mesh, found, finest,
+                          expected));
 }
 
 void validateInstancing(const Model& model, const tinygltf::Node& node, std::size_t index) {
@@ -146,7 +167,8 @@ void validateInstancing(const Model& model, const tinygltf::Node& node, std::siz
   }
 }
 
-void validateNodes(const Model& model) {
+/// @param cells  of each mesh
+void validateNodes(const Model& model, const std::vector<std::size_t>& cells) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
     requireOptional(node.mesh, model.meshes.size(), "node", i, "mesh");
@@ -161,9 +183,11 @@ void validateNodes(const Model& model) {
       validateWeights(node.weights, model.meshes[static_cast<std::size_t>(node.mesh)], fmt::format("node {}", i));
     }
     validateInstancing(model, node, i);
-    for (const int level : lodNodes(model, static_cast<int>(i)))
+    for (const int level : lodNodes(model, static_cast<int>(i))) {
       if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
         malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
+      validateCells(model, i, level, cells);
+    }
   }
 }
 
@@ -282,8 +306,8 @@ void validateSkins(const Model& model) {
 void validateModel(const Model& model, const Limits& limits) {
   validateRanges(model, limits);
   validateMaterials(model);
-  validateMeshes(model);
-  validateNodes(model);
+  const std::vector<std::size_t> cells = validateMeshes(model);
+  validateNodes(model, cells);
   const std::vector<std::uint8_t> isChild = markChildren(model);
   validateHierarchy(model, isChild);
   validateScenes(model, isChild);

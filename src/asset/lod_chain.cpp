@@ -9,6 +9,7 @@
 #include <string>
 
 #include "asset/accessor_layout.h"
+#include "asset/triangle_count.h"
 #include "core/check.h"
 #include "core/error.h"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr const char* kExtension = "MSFT_lod";
 constexpr const char* kCoverage = "MSFT_screencoverage";
 constexpr const char* kExtras = "jalousie";
+constexpr const char* kCells = "cells";
+constexpr const char* kCellTriangles = "triangles";
 
 [[noreturn]] void malformed(const std::string& message) {
   throw Error(ErrorCode::kMalformed, message);
@@ -59,6 +62,13 @@ std::uint32_t memberCount(const tinygltf::Value& object, const char* key) {
   if (number != std::floor(number) || number > static_cast<double>(std::numeric_limits<int>::max()))
     malformed(fmt::format("extras.{}.{} is not a count", kExtras, key));
   return static_cast<std::uint32_t>(number);
+}
+
+std::uint32_t memberFormat(const tinygltf::Value& object) {
+  const std::uint32_t format = memberCount(object, "format");
+  if (format < 1 || format > static_cast<std::uint32_t>(kLodFormatVersion))
+    malformed(fmt::format("extras.jalousie.format is {}, known are 1 to {}", format, kLodFormatVersion));
+  return format;
 }
 
 const tinygltf::Value& memberObject(const tinygltf::Value& object, const char* key) {
@@ -104,17 +114,38 @@ LodMeasures readMeasures(const tinygltf::Value& object) {
   return measures;
 }
 
+tinygltf::Value countValue(std::uint32_t count) {
+  JAL_CHECK(count <= static_cast<std::uint32_t>(std::numeric_limits<int>::max()));
+  return tinygltf::Value(static_cast<int>(count));
+}
+
+/// The triangles of each cell of one primitive, which has `triangles` in all.
+std::vector<std::uint32_t> readCells(const tinygltf::Value& list, std::size_t primitive, std::uint64_t triangles) {
+  const auto wrong = [&](const std::string& what) {
+    malformed(fmt::format("extras.jalousie.cells: primitive {} {}", primitive, what));
+  };
+  if (!list.IsArray()) wrong("has no list");
+  std::vector<std::uint32_t> cells;
+  cells.reserve(list.ArrayLen());
+  std::uint64_t sum = 0;  // of at most 2^31 each: cannot wrap
+  for (const tinygltf::Value& value : list.Get<tinygltf::Value::Array>()) {
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
+    if (!(number >= 0.0 && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
+      wrong(fmt::format("has no count of triangles for cell {}", cells.size()));
+    cells.push_back(static_cast<std::uint32_t>(number));
+    sum += cells.back();
+  }
+  if (sum != triangles) wrong(fmt::format("has {} triangles, its cells have {}", triangles, sum));
+  return cells;
+}
+
 }  // namespace
 
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info) {
-  const auto count = [](std::uint32_t value) {
-    JAL_CHECK(value <= static_cast<std::uint32_t>(std::numeric_limits<int>::max()));
-    return tinygltf::Value(static_cast<int>(value));
-  };
   tinygltf::Value::Object object;
-  object["lod"] = count(info.lod);
-  object["triangles"] = count(info.triangles);
-  object["vertices"] = count(info.vertices);
+  object["lod"] = countValue(info.lod);
+  object["triangles"] = countValue(info.triangles);
+  object["vertices"] = countValue(info.vertices);
   object["errorObject"] = tinygltf::Value(info.errorObject);
   object["format"] = tinygltf::Value(info.measures ? kLodFormatVersion : 1);
   if (info.measures) putMeasures(object, *info.measures);
@@ -125,9 +156,7 @@ std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh) {
   if (!mesh.extras.IsObject() || !mesh.extras.Has(kExtras)) return std::nullopt;
   const tinygltf::Value& object = mesh.extras.Get(kExtras);
   if (!object.IsObject()) malformed("extras.jalousie is not an object");
-  const std::uint32_t format = memberCount(object, "format");
-  if (format < 1 || format > static_cast<std::uint32_t>(kLodFormatVersion))
-    malformed(fmt::format("extras.jalousie.format is {}, known are 1 to {}", format, kLodFormatVersion));
+  const std::uint32_t format = memberFormat(object);
   LodInfo info;
   info.lod = memberCount(object, "lod");
   info.triangles = memberCount(object, "triangles");
@@ -135,6 +164,41 @@ std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh) {
   info.errorObject = memberNumber(object, "errorObject");
   if (format >= 2) info.measures = readMeasures(object);
   return info;
+}
+
+void setLodCells(tinygltf::Mesh& mesh, const CellTriangles& cells) {
+  JAL_CHECK((mesh.extras.IsObject() && mesh.extras.Has(kExtras) && mesh.extras.Get(kExtras).Has("diagonal")));
+  JAL_CHECK(cells.size() == mesh.primitives.size());
+  tinygltf::Value::Array lists;
+  for (const std::vector<std::uint32_t>& primitive : cells) {
+    tinygltf::Value::Array counts;
+    counts.reserve(primitive.size());
+    for (const std::uint32_t triangles : primitive)
+      counts.push_back(countValue(triangles));
+    lists.emplace_back(std::move(counts));
+  }
+  tinygltf::Value own = mesh.extras.Get(kExtras);
+  setMember(own, kCells, tinygltf::Value(tinygltf::Value::Object{{kCellTriangles, tinygltf::Value(std::move(lists))}}));
+  setMember(mesh.extras, kExtras, std::move(own));
+}
+
+CellTriangles lodCells(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+  if (!mesh.extras.IsObject() || !mesh.extras.Has(kExtras)) return {};
+  const tinygltf::Value& object = mesh.extras.Get(kExtras);
+  if (!object.Has(kCells) || memberFormat(object) < 3) return {};
+  const tinygltf::Value& lists = memberObject(object, kCells).Get(kCellTriangles);
+  if (!lists.IsArray()) malformed("extras.jalousie.cells.triangles is not a list");
+  if (lists.ArrayLen() != mesh.primitives.size())
+    malformed(
+        fmt::format("extras.jalousie.cells has {} lists for {} primitives", lists.ArrayLen(), mesh.primitives.size()));
+  CellTriangles cells;
+  for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+    cells.push_back(readCells(lists.Get(static_cast<int>(p)), p, triangleCount(model, mesh.primitives[p])));
+    if (cells.back().size() != cellCount(cells))
+      malformed(fmt::format("extras.jalousie.cells: primitives 0 and {} have {} and {} cells", p, cellCount(cells),
+                            cells.back().size()));
+  }
+  return cells;
 }
 
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage) {

@@ -2,14 +2,16 @@
 //
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
-// On each level's mesh: extras.jalousie = {"format": 2, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
+// On each level's mesh: extras.jalousie = {"format": 3, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
 //                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
-//                      "coverage": c, "stop": "..."}
+//                      "coverage": c, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]}}
 //                      D = {"max", "mean", "maxPercent", "meanPercent"}, S = {"mean", "p95"}
+//                      cells: for each primitive the triangles of each cell, in the order of the primitive's triangles
 //
 // Version history
 //   1  first
-//   2  everything from "diagonal" on; files of format 1 are still read
+//   2  everything from "diagonal" to "stop"; files of format 1 are still read
+//   3  "cells", which may be absent; files of formats 1 and 2 are still read
 #pragma once
 
 #include <tiny_gltf.h>
@@ -22,7 +24,7 @@
 
 namespace jalousie::asset {
 
-inline constexpr int kLodFormatVersion = 2;
+inline constexpr int kLodFormatVersion = 3;
 
 /// Distances from the points of one surface to another, object-space length.
 struct DistanceInfo {
@@ -57,10 +59,25 @@ struct LodInfo {
   std::optional<LodMeasures> measures = std::nullopt;  ///< absent in files of format 1
 };
 
-/// Writes extras.jalousie of a level's mesh, keeping other extras.
+/// For each primitive of a mesh the number of triangles of each cell, in the order of the primitive's triangles. The
+/// lists are equally long; numbers may be 0. Empty: the mesh is not divided into cells.
+using CellTriangles = std::vector<std::vector<std::uint32_t>>;
+
+/// Writes extras.jalousie of a level's mesh, keeping other extras. Cells that were there are removed.
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
 /// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, unknown format version).
 std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh);
+
+/// Adds the cells to extras.jalousie. @pre setLodInfo with measures was called (checked); a list for each primitive
+void setLodCells(tinygltf::Mesh& mesh, const CellTriangles& cells);
+/// Reads them back; empty if absent. Errors: kMalformed (wrong types, not one list for each primitive, lists that
+/// differ in length, a list whose sum is not the number of its primitive's triangles).
+/// @pre the indices of the mesh's accessors are in range
+CellTriangles lodCells(const tinygltf::Model& model, const tinygltf::Mesh& mesh);
+/// Number of cells of a mesh, 0 if it is not divided. @param cells  as lodCells returns them
+inline std::size_t cellCount(const CellTriangles& cells) {
+  return cells.empty() ? 0 : cells.front().size();
+}
 
 /// Makes node the LOD 0 of a chain. @param lowerNodes  nodes of LOD 1, 2, ...  @param coverage  one per level, LOD 0
 /// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares

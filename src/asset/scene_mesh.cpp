@@ -8,6 +8,7 @@
 #include <string>
 
 #include "asset/accessor.h"
+#include "asset/lod_chain.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -140,6 +141,16 @@ Primitive readPrimitive(Source source, std::uint32_t defaultMaterial, ElementBud
   return primitive;
 }
 
+/// What Primitive::cellEnds holds.
+std::vector<std::uint32_t> cellEnds(const std::vector<std::uint32_t>& triangles) {
+  std::vector<std::uint32_t> ends;
+  ends.reserve(triangles.size());
+  std::uint32_t end = 0;  // at most the primitive's number of indices
+  for (const std::uint32_t count : triangles)
+    ends.push_back(end += 3 * count);
+  return ends;
+}
+
 }  // namespace
 
 void ElementBudget::take(std::uint64_t elements) {
@@ -152,14 +163,18 @@ Mesh readMesh(const tinygltf::Model& model, int mesh, std::uint32_t defaultMater
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(mesh)];
   Mesh result;
   result.name = source.name;
-  for (const tinygltf::Primitive& primitive : source.primitives) {
+  const CellTriangles cells = lodCells(model, source);
+  for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+    const tinygltf::Primitive& primitive = source.primitives[p];
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
       ++skipped;
       continue;
     }
     if (!primitive.attributes.contains("POSITION")) continue;
     Primitive read = readPrimitive({model, primitive, mesh}, defaultMaterial, budget);
-    if (!read.indices.empty()) result.primitives.push_back(std::move(read));
+    if (read.indices.empty()) continue;
+    if (!cells.empty()) read.cellEnds = cellEnds(cells[p]);
+    result.primitives.push_back(std::move(read));
   }
   return result;
 }

@@ -95,7 +95,9 @@ class Counter {
     const auto known = meshes_.find(mesh);
     if (known != meshes_.end()) return known->second;
     MeshSize size;
-    for (const tinygltf::Primitive& primitive : model_.meshes[static_cast<std::size_t>(mesh)].primitives) {
+    const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh)];
+    const std::size_t cells = cellCount(lodCells(model_, source));
+    for (const tinygltf::Primitive& primitive : source.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (primitive.mode < TINYGLTF_MODE_TRIANGLES || position == primitive.attributes.end()) continue;
       const std::uint64_t vertices = elements(position->second);
@@ -105,6 +107,7 @@ class Counter {
       size.vertices += primitive.attributes.contains("NORMAL") ? vertices : std::max(vertices, indices);
     }
     meshes_.emplace(mesh, size);
+    size_.cellEnds += cells * source.primitives.size();
     size_.vertices += size.vertices;
     size_.indices += size.indices;
     return size;

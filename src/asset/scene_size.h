@@ -19,6 +19,7 @@ struct SceneSize {
   std::uint64_t instances = 0;
   std::uint64_t vertices = 0;  ///< of all meshes, each once; an own one per corner where a primitive has no normals
   std::uint64_t indices = 0;
+  std::uint64_t cellEnds = 0;  ///< of all primitives
   std::uint64_t chains = 0;
   std::uint64_t levels = 0;            ///< of all chains
   std::uint64_t coarsestVertices = 0;  ///< of the last level of each chain

@@ -84,8 +84,10 @@ TEST(LodChain, BrokenInfoIsMalformed) {
     mesh.extras = Value(extras);
     return codeOf([&] { lodInfo(mesh); });
   };
-  EXPECT_EQ(code("format", Value(3)), ErrorCode::kMalformed);
-  EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);  // whose measures are missing
+  EXPECT_EQ(code("format", Value(4)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(0)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(3)), ErrorCode::kMalformed);  // whose measures are missing
+  EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);  // as before
   EXPECT_EQ(code("triangles", Value(-1)), ErrorCode::kMalformed);
   EXPECT_EQ(code("vertices", Value(1.5)), ErrorCode::kMalformed);
   EXPECT_EQ(code("lod", Value(std::string("0"))), ErrorCode::kMalformed);

@@ -557,6 +557,54 @@ group('lod', 5, inRich, [
   ['cycle', 'two nodes are levels of each other', { '/nodes/1/extensions': { MSFT_lod: { ids: [0] } } }],
 ]);
 
+// Cells of the baked format -------------------------------------------------------
+
+const level = (lod, cells) => ({
+  jalousie: {
+    format: 3, lod, triangles: 3, vertices: 9, errorObject: 0, diagonal: 1, coverage: 0,
+    ...Object.fromEntries(['toOriginal', 'fromOriginal', 'twoSided'].map((key) => [key, { max: 0, mean: 0 }])),
+    ...Object.fromEntries(['normalDegrees', 'uv'].map((key) => [key, { mean: 0, p95: 0 }])), cells,
+  },
+});
+const cells = () => ({ triangles: [[1, 0, 2], [0, 3, 0]] });
+/** A chain of two levels, each with two primitives of three triangles in three cells. */
+const divided = model([array('VEC3', FLOAT, ...Array.from({ length: 27 }, (_, i) => i * i % 7)),
+  array('SCALAR', U16, 0, 1, 2, 3, 4, 5, 6, 7, 8)], {
+  extensionsUsed: ['MSFT_lod'],
+  nodes: [{ mesh: 0, extensions: { MSFT_lod: { ids: [1] } } }, { mesh: 1 }],
+  meshes: [0, 1].map((lod) => ({
+    primitives: [{ attributes: { POSITION: 0 }, indices: 1 }, { attributes: { POSITION: 0 }, indices: 1 }],
+    extras: level(lod, cells()),
+  })),
+});
+const ofLevel = (lod) => `/meshes/${lod}/extras/jalousie/cells`;
+
+group('cells', 5, damaged(divided), [
+  ['valid', 'a chain in cells', {}, 0],
+  ['null', 'there is no table', { [ofLevel(0)]: null }],
+  ['number', 'the table is a number', { [ofLevel(0)]: 3 }],
+  ['list-missing', 'the table has no list', { [ofLevel(0)]: { ends: [3, 3] } }],
+  ['list-object', 'the list is an object', { [ofLevel(0)]: { triangles: { 0: [1, 2] } } }],
+  ['primitive-missing', 'one primitive has no cells', { [ofLevel(0)]: { triangles: [[1, 0, 2]] } }],
+  ['primitive-number', 'the cells of a primitive are a number', { [`${ofLevel(0)}/triangles/1`]: 3 }],
+  ['primitive-other-count', 'primitives have different numbers of cells', { [`${ofLevel(1)}/triangles/1`]: [0, 3] }],
+  ['sum-too-large', 'the cells have more triangles than the primitive', { [`${ofLevel(0)}/triangles/1/2`]: 1 }],
+  ['sum-too-small', 'the cells have fewer triangles than the primitive', { [`${ofLevel(1)}/triangles/0/0`]: 0 }],
+  ['sum-wraps', 'the sum is right modulo 2^32',
+    { [`${ofLevel(0)}/triangles`]: [[2147483647, 2147483647, 5], [0, 3, 0]] }],
+  ['negative', 'a number of triangles is negative', { [`${ofLevel(0)}/triangles/0`]: [4, -1, 0] }],
+  ['fraction', 'a number of triangles is 1.5', { [`${ofLevel(0)}/triangles/0`]: [1.5, 0, 1.5] }],
+  ['string', 'a number of triangles is a string', { [`${ofLevel(0)}/triangles/0/0`]: '1' }],
+  ['huge', 'a number of triangles is 1e300', { [`${ofLevel(0)}/triangles/0/0`]: 1e300 }],
+  ['level-missing', 'the coarse level has none', { [ofLevel(1)]: undefined }],
+  ['finest-missing', 'LOD 0 has none', { [ofLevel(0)]: undefined }],
+  ['levels-differ', 'the levels have different numbers of cells',
+    { [ofLevel(1)]: { triangles: [[1, 2], [0, 3]] } }],
+  ['points', 'points have triangles in cells', { '/meshes/0/primitives/1/mode': 0 }],
+  ['older-format', 'a file of format 2 has a key of a later format', { ...Object.fromEntries(
+    [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 2])), [ofLevel(0)]: 7 }, 0],
+]);
+
 const INSTANCING = '/nodes/5/extensions/EXT_mesh_gpu_instancing';
 const viewless = (count) => ({ componentType: FLOAT, type: 'VEC3', count });
 

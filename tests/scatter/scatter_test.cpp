@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "asset/instancing.h"
+#include "asset/lod_chain.h"
 #include "asset/scene_file.h"
 #include "scatter/camera_path.h"
 #include "scatter/command_line.h"
@@ -55,6 +56,21 @@ TEST(Scatter, ChainAndMaterialsSurvive) {
     triangles.push_back(file.meshes[level.mesh].primitives[0].indices.size() / 3);
   EXPECT_EQ(triangles, (std::vector<std::size_t>{128, 32, 8}));
   EXPECT_EQ(file.materials[file.meshes[0].primitives[0].material].name, "clay");
+}
+
+TEST(Scatter, CellsSurvive) {
+  tinygltf::Model model = test::bakedBall();
+  for (std::uint32_t lod = 0; lod < 3; ++lod) {
+    tinygltf::Mesh& mesh = model.meshes[lod];
+    const std::uint32_t triangles = 128U >> (2 * lod);
+    asset::setLodInfo(mesh, {lod, triangles, 3 * triangles, 0.1 * lod, asset::LodMeasures()});
+    asset::setLodCells(mesh, {{3, triangles - 3}});
+  }
+  const asset::SceneFile file = readBack(scatter(parse({"--count", "20"}), std::move(model)));
+  for (std::uint32_t lod = 0; lod < 3; ++lod) {
+    const std::vector<std::uint32_t> expected = {9, 3 * (128U >> (2 * lod))};
+    EXPECT_EQ(file.meshes[file.chains.at(0).levels.at(lod).mesh].primitives[0].cellEnds, expected) << lod;
+  }
 }
 
 TEST(Scatter, LevelsShareTheInstancesAndTheCoverage) {
