@@ -135,6 +135,9 @@ TEST_F(BakeBatch, WhateverDecidesTheBytesDecidesTheHit) {
   EXPECT_EQ(baked({"-j", "1", "--max-memory", "0", "-q"}), Names{}) << "how the work is done decides nothing";
   EXPECT_EQ(baked({"--levels", "3"}).size(), 4U);
   EXPECT_EQ(baked({"--levels", "3"}), Names{});
+  EXPECT_EQ(baked({"--cells", "64"}).size(), 4U);
+  EXPECT_EQ(baked({"--cells", "off"}).size(), 4U);
+  EXPECT_EQ(baked({"--cells", "64"}), Names{});
   write("in/quad.mtl", "newmtl red\nKd 0 1 0\n");
   EXPECT_EQ(baked(), Names{"in/quad.obj"}) << "a side file changed";
   std::string other(36, '\0');

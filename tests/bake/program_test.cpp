@@ -58,6 +58,36 @@ TEST_F(BakeProgram, ReportAndFileAgree) {
   }
 }
 
+TEST_F(BakeProgram, CellsAreDividedReportedAndReadAgain) {
+  ASSERT_EQ(bake({file("ball.ply"), "-o", file("out.glb"), "--levels", "3", "--cells", "100", "--quantize",
+                  "--compress", "--json", file("r.json")})
+                .exitCode,
+            0);
+  // 1520 triangles: 16 cells of 95
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(file("r.json")))["meshes"][0]["cells"], 16);
+  const nlohmann::json inspected =
+      nlohmann::json::parse(bake({"inspect", file("out.glb"), "--json"}).standardOutput)["chains"][0]["levels"];
+  EXPECT_EQ(inspected[0]["cells"], nlohmann::json({{"count", 16}, {"filled", 16}, {"largest", 95}, {"mean", 95.0}}));
+  EXPECT_EQ(inspected[2]["cells"]["count"], 16);
+  EXPECT_LT(inspected[2]["cells"]["filled"], 16);
+  const asset::SceneFile scene = asset::readSceneFile(file("out.glb"));
+  for (const asset::LodLevel& level : scene.chains.at(0).levels)
+    EXPECT_EQ(scene.meshes[level.mesh].primitives[0].cellEnds.size(), 16U);
+  ASSERT_EQ(bake({file("ball.ply"), "-o", file("out.glb"), "-q", "--cells", "off"}).exitCode, 0);
+  EXPECT_TRUE(asset::readSceneFile(file("out.glb")).meshes[0].primitives[0].cellEnds.empty());
+}
+
+TEST_F(BakeProgram, OnlyNumbersWithinTheRangeAutoAndOffAreCells) {
+  for (const char* good : {"64", "65536", "AUTO", "Off"}) {
+    const ProgramResult result = bake({file("missing.ply"), "-o", file("out.glb"), "--cells", good});
+    EXPECT_EQ(result.exitCode, 3) << good << ": " << result.standardError;
+  }
+  for (const char* bad : {"63", "65537", "-64", "100.5", "1e3", "all", "0", "64x"})
+    expectRefused({file("ball.ply"), "-o", file("out.glb"), "--cells", bad}, 2,
+                  std::string("--cells: ") + bad + " is not auto, off or 64..65536");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--cells", ""}, 2, "--cells");
+}
+
 TEST_F(BakeProgram, InspectAndSheetShowTheBake) {
   ASSERT_EQ(
       bake({file("ball.ply"), "-o", file("out.glb"), "--levels", "3", "--sheet", file("sheet.html"), "-q"}).exitCode,

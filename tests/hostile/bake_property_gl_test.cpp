@@ -189,6 +189,7 @@ std::vector<std::string> optionsOf(std::uint32_t seed) {
                                       "100"};
   if (seed % 4 == 1 || seed % 4 == 3) options.emplace_back("--quantize");
   if (seed % 4 >= 2) options.emplace_back("--compress");
+  if (seed % 5 == 0) options.insert(options.end(), {"--cells", "64"});
   return options;
 }
 

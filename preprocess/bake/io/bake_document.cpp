@@ -142,21 +142,32 @@ asset::LodInfo lodInfoOf(const LevelChain& chain, std::size_t k, double diagonal
   return {static_cast<std::uint32_t>(k), level.mesh.triangles(), 0, level.errorMax, measures};
 }
 
+/// Appends one level as a mesh. @param info  gets the number of vertices   @return  its index
+int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& level,
+               const std::optional<asset::CellTree>& tree, asset::LodInfo& info) {
+  const WrittenMesh written = appendLevelMesh(model, source, level, orderByCells(level, tree));
+  tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
+  if (info.lod > 0) target.name = fmt::format("{}_lod{}", source.name, info.lod);
+  target.extras = info.lod == 0 ? source.extras : tinygltf::Value();
+  if (info.lod == 0) target.extensions = source.extensions;
+  info.vertices = written.vertices;
+  asset::setLodInfo(target, info);
+  if (tree) asset::setLodCells(target, written.cells);
+  return written.mesh;
+}
+
 /// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
 std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const CombinedMesh& mesh,
-                             const LevelChain& chain, MeshReport& report) {
+                             const LevelChain& chain, const CellOptions& cells, MeshReport& report) {
   const tinygltf::Mesh source = model.meshes[index];
+  std::optional<asset::CellTree> tree;
   std::vector<int> levelMeshes;
   for (std::size_t k = 0; k < chain.levels.size(); ++k) {
-    const WrittenMesh written = appendLevelMesh(model, source, combineWedges(chain.levels[k].mesh, mesh));
-    tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
-    if (k > 0) target.name = fmt::format("{}_lod{}", source.name, k);
-    target.extras = k == 0 ? source.extras : tinygltf::Value();
-    if (k == 0) target.extensions = source.extensions;
-    report.levels[k].vertices = written.vertices;
-    asset::setLodInfo(target, report.levels[k]);
-    levelMeshes.push_back(written.mesh);
+    const CombinedMesh level = combineWedges(chain.levels[k].mesh, mesh);
+    if (k == 0) tree = divideIntoCells(level, cells);
+    levelMeshes.push_back(writeLevel(model, source, level, tree, report.levels[k]));
   }
+  report.cells = tree ? tree->cellCount() : 0;
   // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
@@ -207,7 +218,7 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
-  linkNodes(model, before, nodes, writeLevels(model, index, mesh, chain, report), coverage);
+  linkNodes(model, before, nodes, writeLevels(model, index, mesh, chain, options.cells, report), coverage);
   return report;
 }
 

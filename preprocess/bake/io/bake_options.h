@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "asset/gltf_file.h"
+#include "bake/io/level_cells.h"
 #include "bake/simplify/chain_options.h"
 
 namespace jalousie::bake {
@@ -14,6 +15,7 @@ struct BakeOptions {
   std::uint32_t subdivide = 0;      ///< Loop steps before anything else
   std::optional<double> hardAngle;  ///< rebuild normals: edges that bend by more degrees stay hard
   ScreenTolerance screen;           ///< for MSFT_screencoverage
+  CellOptions cells;
   asset::Limits limits;
 };
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "asset/accessor.h"
 #include "core/check.h"
@@ -100,12 +101,31 @@ int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const st
   return asset::appendScalars(model, scalars, kTarget);
 }
 
-/// Reorders for the vertex cache, then numbers vertices by first use. @return  local vertices in their new order
-/// @pre indices in threes, below vertexCount
-std::vector<std::uint32_t> optimiseOrder(std::vector<std::uint32_t>& indices, std::uint32_t vertexCount) {
-  JAL_CHECK(indices.size() % 3 == 0U);
-  meshopt_optimizeVertexCache(indices.data(), indices.data(), indices.size(), vertexCount);
-  std::vector<std::uint32_t> newIndex(vertexCount, ~0U);
+/// Triangles of one primitive, cell by cell.
+struct LocalTriangles {
+  std::vector<std::uint32_t> indices;    ///< of the primitive's vertices
+  std::vector<std::uint32_t> cellSizes;  ///< triangles of each cell
+};
+
+LocalTriangles trianglesOf(const CombinedMesh& combined, std::size_t primitive, const CellOrder& order) {
+  LocalTriangles local;
+  std::size_t at = 0;
+  for (const std::uint32_t end : order.ends) {
+    const std::size_t before = local.indices.size();
+    for (; at < end; ++at) {
+      const std::size_t first = 3 * std::size_t{order.triangles[at]};
+      if (combined.primitiveOf[combined.indices[first]] != primitive) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        local.indices.push_back(combined.indices[first + k] - combined.primitives[primitive].firstVertex);
+    }
+    local.cellSizes.push_back(static_cast<std::uint32_t>((local.indices.size() - before) / 3));
+  }
+  return local;
+}
+
+/// Numbers vertices by their first use, in place. @param newIndex  per vertex ~0; it is restored
+/// @return  the vertices in their new order
+std::vector<std::uint32_t> renumber(std::span<std::uint32_t> indices, std::vector<std::uint32_t>& newIndex) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t& index : indices) {
     if (newIndex[index] == ~0U) {
@@ -114,7 +134,28 @@ std::vector<std::uint32_t> optimiseOrder(std::vector<std::uint32_t>& indices, st
     }
     index = newIndex[index];
   }
+  for (const std::uint32_t vertex : order)
+    newIndex[vertex] = ~0U;
   return order;
+}
+
+/// Reorders each cell for the vertex cache, then numbers vertices by first use. @return  vertices in their new order
+/// @pre indices below vertexCount
+std::vector<std::uint32_t> optimiseOrder(LocalTriangles& local, std::uint32_t vertexCount) {
+  std::vector<std::uint32_t> newIndex(vertexCount, ~0U);
+  std::size_t first = 0;
+  for (const std::uint32_t triangles : local.cellSizes) {
+    const std::span cell = std::span(local.indices).subspan(first, 3 * std::size_t{triangles});
+    first += cell.size();
+    if (cell.empty()) continue;
+    // The optimiser's time grows with the number of vertices, so it gets those of the cell.
+    const std::vector<std::uint32_t> vertices = renumber(cell, newIndex);
+    JAL_CHECK(cell.size() % 3 == 0U);
+    meshopt_optimizeVertexCache(cell.data(), cell.data(), cell.size(), vertices.size());
+    for (std::uint32_t& index : cell)
+      index = vertices[index];
+  }
+  return renumber(local.indices, newIndex);
 }
 
 }  // namespace
@@ -157,20 +198,15 @@ CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh
   return combined;
 }
 
-WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined) {
-  const std::vector<std::uint32_t>& indices = combined.indices;
+WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
+                            const CellOrder& order) {
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;
   for (std::size_t p = 0; p < combined.primitives.size(); ++p) {
     const PrimitiveData& data = combined.primitives[p];
-    std::vector<std::uint32_t> local;
-    for (std::size_t t = 0; t < indices.size(); t += 3) {
-      if (combined.primitiveOf[indices[t]] != p) continue;
-      for (std::size_t k = 0; k < 3; ++k)
-        local.push_back(indices[t + k] - data.firstVertex);
-    }
-    if (local.empty()) continue;
+    LocalTriangles local = trianglesOf(combined, p, order);
+    if (local.indices.empty()) continue;
     const std::vector<std::uint32_t> vertices = optimiseOrder(local, data.vertexCount);
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -179,9 +215,10 @@ WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source
     primitive.extras = source.primitives[p].extras;
     for (const Attribute& attribute : data.attributes)
       primitive.attributes[attribute.name] = appendAttribute(model, attribute, vertices);
-    primitive.indices = asset::appendIndices(model, local);
+    primitive.indices = asset::appendIndices(model, local.indices);
     mesh.primitives.push_back(std::move(primitive));
     written.vertices += static_cast<std::uint32_t>(vertices.size());
+    written.cells.push_back(std::move(local.cellSizes));
   }
   written.mesh = static_cast<int>(model.meshes.size());
   model.meshes.push_back(std::move(mesh));

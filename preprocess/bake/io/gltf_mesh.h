@@ -7,6 +7,8 @@
 #include <string>
 
 #include "asset/gltf_file.h"
+#include "asset/lod_chain.h"
+#include "bake/io/level_cells.h"
 #include "bake/mesh/combined_mesh.h"
 
 namespace jalousie::bake {
@@ -23,10 +25,13 @@ CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh
 struct WrittenMesh {
   int mesh = -1;               ///< index in the document
   std::uint32_t vertices = 0;  ///< of all its primitives
+  asset::CellTriangles cells;  ///< a list for each written primitive
 };
 
-/// Appends a mesh with the primitives of `source` and the triangles of `combined`, in vertex-cache and fetch order.
-/// Primitives without triangles are left out.
-WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined);
+/// Appends a mesh with the primitives of `source` and the triangles of `combined`: cell by cell, within a cell in the
+/// order of the vertex cache, vertices in the order of their first use. Primitives without triangles are left out.
+/// @param order  of the triangles of `combined`
+WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
+                            const CellOrder& order);
 
 }  // namespace jalousie::bake

@@ -23,6 +23,7 @@ struct MeshReport {
   std::string name;
   double diagonal = 0.0;               ///< of LOD 0's box
   std::vector<asset::LodInfo> levels;  ///< as written, with measures; empty if the mesh was passed through
+  std::uint32_t cells = 0;             ///< of each level; 0: not divided
   std::string stopReason;
   std::string passedThrough;  ///< why, if it was
   MeshFindings findings;

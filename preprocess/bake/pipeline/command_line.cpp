@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -229,6 +230,35 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
                    "Keep the vertices of open borders in place, e.g. for terrain tiles");
 }
 
+constexpr std::uint32_t kLeastPerCell = 64;
+constexpr std::uint32_t kMostPerCell = 65536;
+
+/// auto, off or a number of triangles; nullopt if the text is none of them.
+std::optional<CellOptions> cellOptions(const std::string& text) {
+  if (CLI::detail::to_lower(text) == "auto") return CellOptions();
+  if (CLI::detail::to_lower(text) == "off") return CellOptions{0, true};
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (number < kLeastPerCell || number > kMostPerCell) return std::nullopt;
+  return CellOptions{number, false};
+}
+
+void addCellOption(CLI::App& program, CellOptions& cells) {
+  const auto check = [](const std::string& text) {
+    return cellOptions(text) ? std::string()
+                             : fmt::format("{} is not auto, off or {}", text, rangeText(kLeastPerCell, kMostPerCell));
+  };
+  program
+      .add_option_function<std::string>(
+          "--cells", [&cells](const std::string& text) { cells = *cellOptions(text); },
+          "Order the triangles by spatial cells that are culled one by one, with at most this many triangles each; "
+          "auto: 256, meshes of up to 512 triangles are not divided; off: no cells")
+      ->check(CLI::Validator(check, ""))
+      ->type_name(fmt::format("auto|{}|off", rangeText(kLeastPerCell, kMostPerCell)))
+      ->default_str("auto");
+}
+
 /// What is done before and after the simplification.
 void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program
@@ -260,6 +290,7 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
+  addCellOption(program, result.bake.cells);
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "asset/triangle_count.h"
 #include "bake/io/level_nodes.h"
 #include "bake/report/percent.h"
 #include "core/error.h"
@@ -21,20 +22,31 @@ std::uint64_t countOf(const tinygltf::Model& model, int accessor) {
              : 0;
 }
 
+InspectedCells inspectCells(const asset::CellTriangles& primitives) {
+  std::vector<std::uint64_t> triangles(asset::cellCount(primitives), 0);
+  for (const std::vector<std::uint32_t>& primitive : primitives)
+    for (std::size_t cell = 0; cell < primitive.size(); ++cell)
+      triangles[cell] += primitive[cell];
+  InspectedCells cells;
+  cells.count = triangles.size();
+  for (const std::uint64_t count : triangles) {
+    cells.filled += count > 0 ? 1U : 0U;
+    cells.largest = std::max(cells.largest, count);
+  }
+  return cells;
+}
+
 InspectedLevel inspectMesh(const tinygltf::Model& model, int index) {
   InspectedLevel level;
   level.mesh = index;
   const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(index)];
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     const auto found = primitive.attributes.find("POSITION");
-    const std::uint64_t vertices = found == primitive.attributes.end() ? 0 : countOf(model, found->second);
-    const std::uint64_t corners = primitive.indices >= 0 ? countOf(model, primitive.indices) : vertices;
-    level.vertices += vertices;
-    if (primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == -1) level.triangles += corners / 3;
-    if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP || primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN)
-      level.triangles += corners > 2 ? corners - 2 : 0;
+    level.vertices += found == primitive.attributes.end() ? 0 : countOf(model, found->second);
+    level.triangles += asset::triangleCount(model, primitive);
   }
   level.info = asset::lodInfo(mesh);
+  level.cells = inspectCells(asset::lodCells(model, mesh));
   return level;
 }
 
@@ -55,16 +67,25 @@ std::string levelText(const InspectedChain& chain, std::size_t k) {
   const auto normal = [](const asset::LodMeasures& m) { return m.normalDegrees.mean; };
   const auto p95 = [](const asset::LodMeasures& m) { return m.normalDegrees.p95; };
   const auto uv = [](const asset::LodMeasures& m) { return m.uv.mean; };
-  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", k, level.triangles,
-                     level.vertices, share, cell(level, "{:.4f}", largest), cell(level, "{:.5f}", mean),
-                     cell(level, "{:.2f}°", normal), cell(level, "{:.2f}°", p95), cell(level, "{:.2g}", uv),
-                     k < chain.coverage.size() ? fmt::format("{:.2g}", chain.coverage[k]) : "-");
+  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", k,
+                     level.triangles, level.vertices, share, cell(level, "{:.4f}", largest),
+                     cell(level, "{:.5f}", mean), cell(level, "{:.2f}°", normal), cell(level, "{:.2f}°", p95),
+                     cell(level, "{:.2g}", uv),
+                     k < chain.coverage.size() ? fmt::format("{:.2g}", chain.coverage[k]) : "-",
+                     level.cells.count > 0 ? fmt::format("{}", level.cells.filled) : "-",
+                     level.cells.count > 0 ? fmt::format("{}", level.cells.largest) : "-");
 }
 
 ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   const InspectedLevel& level = chain.levels[k];
   ordered_json json = {{"lod", k}, {"triangles", level.triangles}, {"vertices", level.vertices}};
   if (k < chain.coverage.size()) json["screen_coverage"] = chain.coverage[k];
+  if (level.cells.count > 0)
+    json["cells"] = {{"count", level.cells.count},
+                     {"filled", level.cells.filled},
+                     {"largest", level.cells.largest},
+                     {"mean", static_cast<double>(level.triangles) /
+                                  static_cast<double>(std::max(level.cells.filled, std::uint64_t{1}))}};
   if (level.info) json["error_object"] = level.info->errorObject;
   if (!level.info || !level.info->measures) return json;
   const asset::LodMeasures& measures = *level.info->measures;
@@ -102,8 +123,9 @@ std::string inspectText(const std::vector<InspectedChain>& chains) {
   for (const InspectedChain& chain : chains) {
     text += fmt::format("{}: {} level{}, {} node{}\n", oneLine(chain.name), chain.levels.size(),
                         chain.levels.size() == 1 ? "" : "s", chain.nodes, chain.nodes == 1 ? "" : "s");
-    text += fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD", "triangles",
-                        "vertices", "%", "max %", "mean %", "normal", "p95", "uv", "coverage");
+    text +=
+        fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "LOD", "triangles",
+                    "vertices", "%", "max %", "mean %", "normal", "p95", "uv", "coverage", "cells", "largest");
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       text += levelText(chain, k);
     const auto& last = chain.levels.back().info;

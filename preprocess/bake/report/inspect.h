@@ -12,11 +12,19 @@
 
 namespace jalousie::bake {
 
+/// Cells of one level, all primitives together.
+struct InspectedCells {
+  std::uint64_t count = 0;    ///< the same for all levels of a chain; 0: not divided
+  std::uint64_t filled = 0;   ///< with triangles of this level
+  std::uint64_t largest = 0;  ///< triangles
+};
+
 struct InspectedLevel {
   int mesh = -1;
   std::uint64_t triangles = 0;         ///< of indexed and plain lists, strips and fans
   std::uint64_t vertices = 0;          ///< sum of the primitives' POSITION counts
   std::optional<asset::LodInfo> info;  ///< what our baker wrote; absent in other tools' files
+  InspectedCells cells;
 };
 
 /// LOD 0 first. A mesh without MSFT_lod is a chain of one level.
@@ -27,7 +35,8 @@ struct InspectedChain {
   std::vector<float> coverage;  ///< MSFT_screencoverage, may be empty
 };
 
-/// Chains by the meshes of their LOD 0, in the order of the meshes. Errors: kMalformed (of lodNodes and lodInfo).
+/// Chains by the meshes of their LOD 0, in the order of the meshes.
+/// Errors: kMalformed (of lodNodes, lodInfo and lodCells).
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
 /// One table per chain; '-' for figures that the file does not store.
@@ -35,7 +44,7 @@ std::string inspectText(const std::vector<InspectedChain>& chains);
 /// {"chains": [{"name", "nodes", "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file
 /// says,
 ///   "error_object", "error_percent", "mean_percent", "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
-///   "stop"}]}]}
+///   "stop", "cells": {"count", "filled", "largest", "mean"}}]}]}
 std::string inspectJson(const std::vector<InspectedChain>& chains);
 
 }  // namespace jalousie::bake

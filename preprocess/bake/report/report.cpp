@@ -73,7 +73,8 @@ std::string reportText(const std::vector<MeshReport>& meshes) {
           fmt::format("{}: passed through, {}\n", oneLine(mesh.name), mesh.passedThrough) + findingsText(mesh.findings);
       continue;
     }
-    text += fmt::format("{}: {} levels, {}\n", oneLine(mesh.name), mesh.levels.size(), mesh.stopReason);
+    const std::string cells = mesh.cells > 0 ? fmt::format(" of {} cells", mesh.cells) : "";
+    text += fmt::format("{}: {} levels{}, {}\n", oneLine(mesh.name), mesh.levels.size(), cells, mesh.stopReason);
     text += findingsText(mesh.findings) + levelsText(mesh);
   }
   return text;
@@ -87,6 +88,7 @@ std::string reportJson(const std::vector<MeshReport>& meshes) {
     entry["name"] = mesh.name;
     entry["nodes"] = mesh.nodes;
     entry["diagonal"] = mesh.diagonal;
+    entry["cells"] = mesh.cells;
     entry["stop"] = mesh.stopReason;
     entry["passed_through"] = mesh.passedThrough;
     entry["not_finite"] = mesh.findings.cleaned.notFinite;

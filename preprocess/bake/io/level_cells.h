@@ -1,0 +1,34 @@
+// Divides the triangles of a chain's levels into spatial cells.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "asset/cell_tree.h"
+#include "bake/mesh/combined_mesh.h"
+
+namespace jalousie::bake {
+
+struct CellOptions {
+  std::uint32_t trianglesPerCell = 256;  ///< most triangles of LOD 0 in a cell; 0: no cells
+  bool onlyLarge = true;                 ///< leave meshes of at most two cells undivided
+};
+
+/// The division of a chain. A table has a number for each cell, primitive and level. So that it stays small beside the
+/// triangles, a cell has at least kLeastPerPrimitive triangles for each primitive, even if the options ask for fewer.
+/// @param finest  LOD 0, positions finite   @return  nullopt if there would be one cell, or by the options
+std::optional<asset::CellTree> divideIntoCells(const CombinedMesh& finest, const CellOptions& options);
+
+inline constexpr std::uint32_t kLeastPerPrimitive = 8;
+
+/// The triangles of a level in the order of cells.
+struct CellOrder {
+  std::vector<std::uint32_t> triangles;  ///< numbers of the level's triangles: cell by cell, within a cell ascending
+  std::vector<std::uint32_t> ends;       ///< behind each cell's triangles in `triangles`
+};
+
+/// All triangles in one cell if there is no tree. @param level  positions finite
+CellOrder orderByCells(const CombinedMesh& level, const std::optional<asset::CellTree>& tree);
+
+}  // namespace jalousie::bake
