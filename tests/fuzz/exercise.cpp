@@ -60,11 +60,25 @@ void checkMesh(const bake::TriangleMesh& mesh) {
   JAL_CHECK((mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size()));
 }
 
+/// @param cells  of each primitive of the chain
+void checkPrimitive(const asset::Primitive& primitive, std::size_t cells) {
+  for (const std::uint32_t index : primitive.indices)
+    JAL_CHECK(index < primitive.positions.size());
+  JAL_CHECK(primitive.cellEnds.size() == cells);
+  if (cells == 0) return;
+  JAL_CHECK(std::is_sorted(primitive.cellEnds.begin(), primitive.cellEnds.end()));
+  JAL_CHECK(primitive.cellEnds.back() == primitive.indices.size());
+  for (const std::uint32_t end : primitive.cellEnds)
+    JAL_CHECK(end % 3 == 0U);
+}
+
 void checkScene(const asset::SceneFile& scene) {
-  for (const asset::Mesh& mesh : scene.meshes)
-    for (const asset::Primitive& primitive : mesh.primitives)
-      for (const std::uint32_t index : primitive.indices)
-        JAL_CHECK(index < primitive.positions.size());
+  for (const asset::Chain& chain : scene.chains) {
+    const std::size_t cells = scene.meshes[chain.levels[0].mesh].primitives[0].cellEnds.size();
+    for (const asset::LodLevel& level : chain.levels)
+      for (const asset::Primitive& primitive : scene.meshes[level.mesh].primitives)
+        checkPrimitive(primitive, cells);
+  }
   for (const asset::Instance& instance : scene.instances)
     JAL_CHECK(instance.chain < scene.chains.size());
 }
@@ -160,6 +174,7 @@ bake::BakeOptions quickOptions() {
   options.chain.levels = 3;
   options.chain.samples = 100;
   options.chain.preset = bake::Preset::kDraft;
+  options.cells = {8, false};  // small, so that small meshes have several
   return options;
 }
 

@@ -156,18 +156,20 @@ int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const Combi
   return written.mesh;
 }
 
-/// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
-std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const CombinedMesh& mesh,
-                             const LevelChain& chain, const CellOptions& cells, MeshReport& report) {
-  const tinygltf::Mesh source = model.meshes[index];
+/// What the levels of one mesh are written from.
+struct Levels {
+  const CombinedMesh& mesh;  ///< as it was simplified
+  const LevelChain& chain;
   std::optional<asset::CellTree> tree;
+};
+
+/// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Levels& levels, MeshReport& report) {
+  const tinygltf::Mesh source = model.meshes[index];
   std::vector<int> levelMeshes;
-  for (std::size_t k = 0; k < chain.levels.size(); ++k) {
-    const CombinedMesh level = combineWedges(chain.levels[k].mesh, mesh);
-    if (k == 0) tree = divideIntoCells(level, cells);
-    levelMeshes.push_back(writeLevel(model, source, level, tree, report.levels[k]));
-  }
-  report.cells = tree ? tree->cellCount() : 0;
+  for (std::size_t k = 0; k < levels.chain.levels.size(); ++k)
+    levelMeshes.push_back(writeLevel(model, source, combineWedges(levels.chain.levels[k].mesh, levels.mesh),
+                                     levels.tree, report.levels[k]));
   // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
@@ -218,7 +220,9 @@ MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& bef
   const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
-  linkNodes(model, before, nodes, writeLevels(model, index, mesh, chain, options.cells, report), coverage);
+  const Levels levels{mesh, chain, divideIntoCells(mesh, options.cells)};
+  report.cells = levels.tree ? levels.tree->cellCount() : 0;
+  linkNodes(model, before, nodes, writeLevels(model, index, levels, report), coverage);
   return report;
 }
 
