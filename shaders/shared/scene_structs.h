@@ -15,13 +15,14 @@ struct Transform {
 };
 JAL_ASSERT_SIZE(Transform, 48)
 
-/// One object: the unit of culling and of the choice of detail. It is an instance of the file or a part of one. Objects
-/// are sorted by chain, so that the objects of one level lie side by side in the draw lists.
+/// One object, the unit of the choice of detail; or one of the cells that it is culled and drawn in. The chain of a
+/// cell has the cell's triangles of every level. Both are sorted by chain, so that what has one level lies side by side
+/// in the draw lists.
 struct Object {
-  uint chain;      // index into chains
+  uint chain;      // index into chains: those of the objects, or those of the cells
   uint transform;  // index into transforms
   uint owner;      // instance that the object is, or is a part of: index in the file's order
-  uint reserved0;
+  uint object;     // a cell: index of its object; an object: its own index
 };
 JAL_ASSERT_SIZE(Object, 16)
 
@@ -69,6 +70,13 @@ struct Lod {
   uint reserved0;
 };
 JAL_ASSERT_SIZE(Lod, 32)
+
+/// Bounds of a cell's triangles at one level, object space. Empty (min > max) where the cell has none at that level.
+struct CellBounds {
+  vec4 minObject;  // xyz
+  vec4 maxObject;
+};
+JAL_ASSERT_SIZE(CellBounds, 32)
 
 const uint kMaterialMask = 1u;   // discard below the cutoff
 const uint kMaterialBlend = 2u;  // ordered dither by alpha; never occludes

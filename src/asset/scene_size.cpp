@@ -15,6 +15,7 @@
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
+#include "core/memory_estimate.h"
 
 namespace jalousie::asset {
 namespace {
@@ -72,7 +73,10 @@ class Counter {
     }
     if (source.mesh < 0) return;
     countChain(node);
-    size_.instances += std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
+    const std::uint64_t instances = std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
+    size_.instances += instances;
+    const auto finest = meshes_.find(source.mesh);
+    size_.finestTriangles += saturatingProduct(instances, finest->second.indices / 3);
   }
 
   /// Chains of equal meshes are one.
@@ -80,12 +84,15 @@ class Counter {
     std::vector<int> key = {model_.nodes[static_cast<std::size_t>(node)].mesh};
     for (const int lower : lodNodes(model_, node))
       key.push_back(model_.nodes[static_cast<std::size_t>(lower)].mesh);
+    const int finest = key.front();
     MeshSize coarsest;
     for (const int mesh : key)
       coarsest = countMesh(mesh);
     const std::size_t levels = key.size();
     if (!chains_.insert(std::move(key)).second) return;
     ++size_.chains;
+    size_.largestTriangles = std::max(size_.largestTriangles, meshes_.at(finest).indices / 3);
+    size_.levelTriangles += saturatingProduct(levels, meshes_.at(finest).indices / 3);
     size_.levels += levels;
     size_.coarsestVertices += coarsest.vertices;
     size_.coarsestIndices += coarsest.indices;

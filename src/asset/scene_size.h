@@ -24,12 +24,17 @@ struct SceneSize {
   std::uint64_t levels = 0;            ///< of all chains
   std::uint64_t coarsestVertices = 0;  ///< of the last level of each chain
   std::uint64_t coarsestIndices = 0;
+  std::uint64_t largestTriangles = 0;  ///< LOD 0 of the largest chain
+  std::uint64_t finestTriangles = 0;   ///< LOD 0 of every instance
+  std::uint64_t levelTriangles = 0;    ///< LOD 0 of every chain, times the chain's levels
+  std::uint64_t cells = 0;             ///< that objects are drawn in; 0: objects are drawn whole
+  std::uint64_t cellLevels = 0;        ///< of all chains of cells
   std::uint64_t cameras = 0;
   std::uint64_t cameraKeys = 0;   ///< keys that cameras share count once
   std::vector<ImageSize> images;  ///< base colour textures, in the order of SceneFile::images
 };
 
-/// Counts what readScene would read, without reading it: time and memory follow the size of the JSON.
+/// Counts what readScene would read, without reading it, and no cells: time and memory follow the size of the JSON.
 /// Errors: as readScene for what is looked at.
 SceneSize measureScene(const tinygltf::Model& model, const Limits& limits = {});
 

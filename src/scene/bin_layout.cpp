@@ -22,7 +22,8 @@ void addTiles(BinLayout& layout, gpu::Chain& chain, gpu::uint chainIndex, gpu::u
 
 }  // namespace
 
-BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> objects, bool patches) {
+BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> objects, std::span<const gpu::Lod> lods,
+                     bool patches) {
   BinLayout layout;
   std::uint64_t entries = 0;
   gpu::uint first = 0;
@@ -41,7 +42,7 @@ BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> 
                   "the scene has more combinations of chain, level and tile of objects than 32-bit indices reach");
     if (chain.tileCount == 0) continue;  // nothing uses the chain: no command can come from it
     for (gpu::uint bin = 0; bin < chain.binCount; ++bin)
-      layout.bins.push_back({c, bin});
+      if (patches || lods[chain.firstLod + bin / 2].triangleCount > 0) layout.bins.push_back({c, bin});
   }
   JAL_CHECK(first == objects.size());
   layout.entryCount = static_cast<std::uint32_t>(entries) + 1;

@@ -19,8 +19,11 @@ struct BinLayout {
 
 /// Lays out bins and tiles and fills the chains' binCount, firstEntry and tileCount. @pre objects sorted by chain
 /// (checked)
+/// A level without triangles has no bins.
+/// @param lods     by Chain::firstLod
 /// @param patches  the chains have a patch base: at least four bins
 /// Errors: kLimit if the counts exceed 32-bit indices. A driver may allow less: DrawListPass checks that.
-BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> objects, bool patches);
+BinLayout layoutBins(std::span<gpu::Chain> chains, std::span<const gpu::Object> objects, std::span<const gpu::Lod> lods,
+                     bool patches);
 
 }  // namespace jalousie::scene

@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "scene/mesh_cells.h"
 #include "scene/patch_base.h"
 
 namespace jalousie::scene {
@@ -57,15 +58,19 @@ class Builder {
     scene_.textures = makeTextureLayers(file_.images, alphaCutoffs());
     for (const asset::Material& material : file_.materials)
       scene_.materials.push_back(makeMaterial(material, scene_.textures.layout.slots));
+    cells_ = divideMeshes(file_, options_.patches ? CellOptions{} : options_.cells);
     reserve();
     meshLods_.resize(file_.meshes.size());
     meshBounds_.resize(file_.meshes.size());
+    meshCells_.resize(file_.meshes.size());
     for (std::size_t m = 0; m < file_.meshes.size(); ++m)
       addMesh(m);
     for (const asset::Chain& chain : file_.chains)
       addChain(chain);
     addObjects();
-    scene_.binLayout = layoutBins(scene_.chains, scene_.objects, options_.patches);
+    scene_.binLayout = layoutBins(scene_.chains, scene_.objects, scene_.lods, options_.patches);
+    const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
+    if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
     scene_.cameras = file_.cameras;
     return std::move(scene_);
   }
@@ -91,19 +96,6 @@ class Builder {
     scene_.objects.reserve(file_.instances.size());
   }
 
-  /// Appends a primitive's triangles; the mesh's vertices start at baseVertex.
-  void appendPrimitive(const Primitive& primitive, std::span<const glm::vec3> normals, std::size_t baseVertex) {
-    const std::size_t offset = scene_.vertices.size() - baseVertex;
-    if (scene_.vertices.size() + primitive.positions.size() > std::numeric_limits<std::int32_t>::max() ||
-        scene_.indices.size() + primitive.indices.size() > std::numeric_limits<std::uint32_t>::max())
-      throw Error(ErrorCode::kLimit, "the scene has more vertices or indices than 32-bit offsets reach");
-    for (std::size_t v = 0; v < primitive.positions.size(); ++v)
-      scene_.vertices.push_back({primitive.positions[v], packNormal(normals[v]), primitive.uvs[v],
-                                 packColor(primitive.colors[v]), primitive.material});
-    for (const std::uint32_t index : primitive.indices)
-      scene_.indices.push_back(static_cast<std::uint32_t>(offset) + index);
-  }
-
   /// Per image the cutoff of the first masked material that uses it, so that its mip levels keep their coverage.
   std::vector<std::optional<float>> alphaCutoffs() const {
     std::vector<std::optional<float>> cutoffs(file_.images.size());
@@ -113,20 +105,49 @@ class Builder {
     return cutoffs;
   }
 
-  /// Appends all primitives of a mesh in the order of the draw lists. @param normals  per primitive; null for the
-  /// file's own
-  gpu::Lod appendMesh(const Mesh& mesh, const std::vector<std::vector<glm::vec3>>* normals) {
-    gpu::Lod lod{};
-    lod.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
+  gpu::uint listOfPrimitive(const Primitive& primitive) const { return listOf(file_.materials[primitive.material]); }
+
+  /// Appends the vertices of all primitives of a mesh in the order of the draw lists. @param normals  per primitive;
+  /// null for the file's own   @return  per primitive what its indices are relative to
+  std::vector<std::uint32_t> appendVertices(const Mesh& mesh, const std::vector<std::vector<glm::vec3>>* normals) {
     const std::size_t baseVertex = scene_.vertices.size();
-    lod.baseVertex = static_cast<std::int32_t>(baseVertex);
-    gpu::uint* const counts[] = {&lod.solidCount, &lod.sheetCount, &lod.blendCount};
+    std::vector<std::uint32_t> offsets(mesh.primitives.size());
     for (gpu::uint list = 0; list < gpu::kListsPerDetail; ++list) {
       for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
         const Primitive& primitive = mesh.primitives[p];
-        if (listOf(file_.materials[primitive.material]) != list) continue;
-        appendPrimitive(primitive, normals != nullptr ? (*normals)[p] : primitive.normals, baseVertex);
-        *counts[list] += static_cast<std::uint32_t>(primitive.indices.size());
+        if (listOfPrimitive(primitive) != list) continue;
+        if (scene_.vertices.size() + primitive.positions.size() > std::numeric_limits<std::int32_t>::max())
+          throw Error(ErrorCode::kLimit, "the scene has more vertices than 32-bit offsets reach");
+        offsets[p] = static_cast<std::uint32_t>(scene_.vertices.size() - baseVertex);
+        const std::vector<glm::vec3>& own = normals != nullptr ? (*normals)[p] : primitive.normals;
+        for (std::size_t v = 0; v < primitive.positions.size(); ++v)
+          scene_.vertices.push_back({primitive.positions[v], packNormal(own[v]), primitive.uvs[v],
+                                     packColor(primitive.colors[v]), primitive.material});
+      }
+    }
+    return offsets;
+  }
+
+  /// Appends some triangles of each primitive in the order of the draw lists.
+  /// @param offsets    per primitive, as of appendVertices
+  /// @param indicesOf  of a primitive's number: which of its indices
+  /// @return  a level of these triangles
+  template <class IndicesOf>
+  gpu::Lod appendTriangles(const Mesh& mesh, std::span<const std::uint32_t> offsets, int baseVertex,
+                           const IndicesOf& indicesOf) {
+    gpu::Lod lod{};
+    lod.baseVertex = baseVertex;
+    lod.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
+    gpu::uint* const counts[] = {&lod.solidCount, &lod.sheetCount, &lod.blendCount};
+    for (gpu::uint list = 0; list < gpu::kListsPerDetail; ++list) {
+      for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+        if (listOfPrimitive(mesh.primitives[p]) != list) continue;
+        const std::span<const std::uint32_t> indices = indicesOf(p);
+        if (scene_.indices.size() + indices.size() > std::numeric_limits<std::uint32_t>::max())
+          throw Error(ErrorCode::kLimit, "the scene has more indices than 32-bit offsets reach");
+        for (const std::uint32_t index : indices)
+          scene_.indices.push_back(offsets[p] + index);
+        *counts[list] += static_cast<std::uint32_t>(indices.size());
       }
     }
     lod.triangleCount = (lod.solidCount + lod.sheetCount + lod.blendCount) / 3;
@@ -134,11 +155,38 @@ class Builder {
     return lod;
   }
 
+  /// Appends a mesh cell after cell. The level of the whole mesh spans the ranges of all cells.
   void addMesh(std::size_t m) {
-    meshLods_[m] = appendMesh(file_.meshes[m], nullptr);
-    for (const Primitive& primitive : file_.meshes[m].primitives)
-      for (const std::uint32_t index : primitive.indices)
-        meshBounds_[m].add(primitive.positions[index]);
+    const Mesh& mesh = file_.meshes[m];
+    const MeshCells& cells = cells_[m];
+    const auto baseVertex = static_cast<std::int32_t>(scene_.vertices.size());
+    const std::vector<std::uint32_t> offsets = appendVertices(mesh, nullptr);
+    gpu::Lod& whole = meshLods_[m];
+    whole.baseVertex = baseVertex;
+    whole.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
+    for (std::uint32_t c = 0; c < cells.count; ++c) {
+      Aabb bounds;
+      const gpu::Lod lod = appendTriangles(mesh, offsets, baseVertex, [&](std::size_t p) {
+        const std::span<const std::uint32_t> indices = cellIndices(mesh.primitives[p], cells, p, c);
+        for (const std::uint32_t index : indices)
+          bounds.add(mesh.primitives[p].positions[index]);
+        return indices;
+      });
+      meshCells_[m].push_back({lod, bounds});
+      meshBounds_[m].add(bounds);
+      whole.solidCount += lod.solidCount;
+      whole.sheetCount += lod.sheetCount;
+      whole.blendCount += lod.blendCount;
+      whole.triangleCount += lod.triangleCount;
+    }
+  }
+
+  static std::span<const std::uint32_t> cellIndices(const Primitive& primitive, const MeshCells& cells, std::size_t p,
+                                                    std::uint32_t cell) {
+    if (cells.count == 1) return primitive.indices;
+    const std::vector<std::uint32_t>& indices = cells.indices[p].empty() ? primitive.indices : cells.indices[p];
+    const std::uint32_t first = cell > 0 ? cells.ends[p][cell - 1] : 0;
+    return std::span(indices).subspan(first, cells.ends[p][cell] - first);
   }
 
   /// Averages normals over all primitives of the mesh, so that seams between materials stay closed too.
@@ -161,7 +209,10 @@ class Builder {
       split.emplace_back(next, end);
       next = end;
     }
-    gpu::Lod lod = appendMesh(mesh, &split);
+    const auto baseVertex = static_cast<std::int32_t>(scene_.vertices.size());
+    const std::vector<std::uint32_t> offsets = appendVertices(mesh, &split);
+    gpu::Lod lod = appendTriangles(mesh, offsets, baseVertex,
+                                   [&](std::size_t p) { return std::span(mesh.primitives[p].indices); });
     lod.errorObject = error;
     return lod;
   }
@@ -207,13 +258,61 @@ class Builder {
                                          Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
       const auto transform = static_cast<gpu::uint>(scene_.transforms.size());
       scene_.transforms.push_back(makeTransform(instance.worldFromObject));
-      scene_.objects.push_back({instance.chain, transform, i, 0});
+      const auto object = static_cast<gpu::uint>(scene_.objects.size());
+      scene_.objects.push_back({instance.chain, transform, i, object});
     }
+  }
+
+  /// One chain per cell of each chain, and its objects' cells in the order of the objects.
+  void addCells() {
+    CellTables& tables = scene_.cells;
+    auto first = scene_.objects.begin();
+    for (std::size_t c = 0; c < file_.chains.size(); ++c) {
+      const auto end = std::find_if(first, scene_.objects.end(), [&](const gpu::Object& o) { return o.chain != c; });
+      const std::vector<asset::LodLevel>& levels = file_.chains[c].levels;
+      for (std::uint32_t cell = 0; cell < meshCells_[levels.front().mesh].size(); ++cell) {
+        const auto chain = static_cast<gpu::uint>(tables.chains.size());
+        addCellChain(levels, scene_.chains[c].firstLod, cell);
+        for (auto object = first; object != end; ++object)
+          tables.objects.push_back({chain, object->transform, object->owner, object->object});
+      }
+      first = end;
+    }
+    tables.binLayout = layoutBins(tables.chains, tables.objects, tables.lods, /*patches=*/false);
+  }
+
+  /// @param firstLod  of the chain that the cell belongs to: errors are those of its levels
+  void addCellChain(const std::vector<asset::LodLevel>& levels, gpu::uint firstLod, std::uint32_t cell) {
+    CellTables& tables = scene_.cells;
+    gpu::Chain chain{};
+    chain.firstLod = static_cast<gpu::uint>(tables.lods.size());
+    chain.lodCount = static_cast<gpu::uint>(levels.size());
+    chain.patchLod = chain.firstLod + chain.lodCount - 1;
+    Aabb whole;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      const Cell& part = meshCells_[levels[k].mesh][cell];
+      gpu::Lod lod = part.lod;
+      lod.errorObject = scene_.lods[firstLod + k].errorObject;
+      tables.lods.push_back(lod);
+      tables.bounds.push_back({glm::vec4(part.bounds.min, 0.0F), glm::vec4(part.bounds.max, 0.0F)});
+      whole.add(part.bounds);
+    }
+    chain.boundsMinObject = glm::vec4(whole.min, 0.0F);
+    chain.boundsMaxObject = glm::vec4(whole.max, 0.0F);
+    tables.chains.push_back(chain);
   }
 
   const asset::SceneFile& file_;
   BuildOptions options_;
   SceneData scene_;
+  /// The triangles of one cell at one level.
+  struct Cell {
+    gpu::Lod lod;
+    Aabb bounds;
+  };
+
+  std::vector<MeshCells> cells_;  ///< per mesh of the file
+  std::vector<std::vector<Cell>> meshCells_;
   std::vector<gpu::Lod> meshLods_;
   std::vector<Aabb> meshBounds_;
 };

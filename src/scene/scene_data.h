@@ -8,6 +8,7 @@
 #include "asset/scene_types.h"
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
+#include "scene/cell_options.h"
 #include "scene/texture_layers.h"
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
@@ -24,22 +25,35 @@ struct Vertex {
 };
 static_assert(sizeof(Vertex) == 32);
 
+/// What draw lists are made of: objects, or the cells of objects.
+struct DrawTables {
+  std::vector<gpu::Object> objects;  ///< sorted by chain; within a chain in the file's order
+  std::vector<gpu::Chain> chains;
+  std::vector<gpu::Lod> lods;
+  BinLayout binLayout;
+};
+
+/// The cells of all objects: an object whose chain is not divided is one cell. Empty if no chain is divided.
+struct CellTables : DrawTables {
+  std::vector<gpu::CellBounds> bounds;  ///< [lods.size()]
+};
+
 /// Everything the GPU needs of a scene. All chains share one vertex and one index buffer.
-struct SceneData {
+struct SceneData : DrawTables {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
-  std::vector<gpu::Object> objects;        ///< sorted by chain; within a chain in the file's order
-  std::vector<gpu::Chain> chains;
-  std::vector<gpu::Lod> lods;
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
-  BinLayout binLayout;
-  Aabb boundsWorld;                     ///< of all objects
-  bool usesBlending = false;            ///< whether any level has blended triangles
+  CellTables cells;           ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
+  Aabb boundsWorld;           ///< of all objects
+  bool usesBlending = false;  ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
   std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches
+
+  /// What is drawn: the cells, or the objects where there are none.
+  const DrawTables& drawn() const { return cells.objects.empty() ? *static_cast<const DrawTables*>(this) : cells; }
 };
 
 /// What the arrays are made for.
@@ -47,6 +61,10 @@ struct BuildOptions {
   /// Adds the base meshes of the tessellation path (the coarsest level of each chain, normals averaged per position)
   /// and widens the boxes to hold the curved surface. Off, patchLod repeats the coarsest level.
   bool patches = false;
+  /// Divides chains into cells that are culled one by one. Ignored with patches.
+  CellOptions cells = {};
+
+  friend bool operator==(const BuildOptions&, const BuildOptions&) = default;
 };
 
 /// Flattens a file. Errors: kLimit if vertices or indices exceed 32-bit offsets, kUnsupported above kMaxLods levels.

@@ -33,9 +33,22 @@ SceneSize sizeOf(const SceneData& scene) {
   size.indices = scene.indices.size();
   size.chains = scene.chains.size();
   size.levels = scene.lods.size();
+  size.cells = scene.cells.objects.size();
+  size.cellLevels = scene.cells.lods.size();
   size.cameras = scene.cameras.size();
   for (const ImageRgba8& image : scene.textures.images)
     size.images.push_back({image.width, image.height});
+  return size;
+}
+
+SceneSize withCells(SceneSize size, const CellOptions& options) {
+  const bool automatic = options.kind == CellOptions::Kind::kAutomatic;
+  const std::uint64_t least = automatic && size.cellEnds == 0 ? 2 : 1;
+  if (options.kind == CellOptions::Kind::kOff || size.largestTriangles <= least * options.trianglesPerCell) return size;
+  // A cell is at least half full, but for the last one of each object.
+  const std::uint64_t parts = size.finestTriangles / options.trianglesPerCell * 2;
+  size.cells = size.instances + std::min(parts, 2 * (automatic ? kMostAutomaticCells : kMostCells));
+  size.cellLevels = size.levels + size.levelTriangles / options.trianglesPerCell * 2;
   return size;
 }
 
@@ -46,6 +59,7 @@ MemoryEstimate fileNeeds(const SceneSize& size) {
   needs.add(size.vertices, kFileVertexBytes, counted(size.vertices, "vertices"));
   needs.add(size.indices, sizeof(std::uint32_t), counted(size.indices, "indices"));
   needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
+  needs.add(size.cellEnds, sizeof(std::uint32_t), counted(size.cellEnds, "ends of cells"));
   needs.add(size.cameras, sizeof(asset::Camera), counted(size.cameras, "cameras"));
   needs.add(size.cameraKeys, kKeyBytes, counted(size.cameraKeys, "camera keys"));
   return needs;
@@ -73,6 +87,10 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));
+  if (size.cells > 0) needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices in the order of cells"));
+  needs.add(size.cells, sizeof(gpu::Object) + sizeof(gpu::Tile) + sizeof(gpu::Chain), counted(size.cells, "cells"));
+  needs.add(size.cellLevels, 2 * (sizeof(gpu::Lod) + sizeof(gpu::CellBounds)) + 2 * sizeof(gpu::Bin),
+            counted(size.cellLevels, "levels of cells"));
   return needs;
 }
 

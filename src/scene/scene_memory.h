@@ -6,6 +6,7 @@
 
 #include "asset/scene_size.h"
 #include "core/memory_estimate.h"
+#include "scene/cell_options.h"
 
 namespace jalousie::scene {
 
@@ -14,6 +15,9 @@ struct SceneData;
 
 /// Numbers of elements of a scene that is built already. Images keep their own sizes.
 SceneSize sizeOf(const SceneData& scene);
+
+/// The size with an upper bound of the cells that buildScene may divide such a scene into.
+SceneSize withCells(SceneSize size, const CellOptions& options);
 
 /// A document and the asset::SceneFile that is read from it, but for its images.
 MemoryEstimate fileNeeds(const SceneSize& size);

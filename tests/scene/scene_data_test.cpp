@@ -209,7 +209,10 @@ TEST(BinLayout, HoldsMoreEntriesThanOneRoundOfSumsAndRefusesMoreThan32Bits) {
     chains[c].lodCount = 10;
     objects.push_back({c, c, c, 0});
   }
-  const BinLayout layout = layoutBins(chains, objects, false);
+  std::vector<gpu::Lod> levels(10);
+  for (gpu::Lod& level : levels)
+    level.triangleCount = 1;
+  const BinLayout layout = layoutBins(chains, objects, levels, false);
   EXPECT_EQ(layout.entryCount, 20 * kChains + 1);
   EXPECT_EQ(layout.bins.size(), 20U * kChains);
   EXPECT_EQ(chains.back().firstEntry, 20 * (kChains - 1));
@@ -217,7 +220,7 @@ TEST(BinLayout, HoldsMoreEntriesThanOneRoundOfSumsAndRefusesMoreThan32Bits) {
   std::vector<gpu::Chain> huge(1);
   huge[0].lodCount = 1U << 30U;
   const std::vector<gpu::Object> twoTiles(gpu::kObjectGroupSize + 1);
-  EXPECT_EQ(test::codeOf([&] { layoutBins(huge, twoTiles, false); }), ErrorCode::kLimit);
+  EXPECT_EQ(test::codeOf([&] { layoutBins(huge, twoTiles, {}, false); }), ErrorCode::kLimit);
 }
 
 TEST(SceneData, ObjectsAreSortedByChainAndCutIntoTiles) {

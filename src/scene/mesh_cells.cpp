@@ -1,0 +1,166 @@
+// Chains in the order of what they can gain: the largest first, as long as there is room for their cells.
+#include "scene/mesh_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "asset/cell_tree.h"
+#include "core/error.h"
+
+namespace jalousie::scene {
+namespace {
+
+using asset::Mesh;
+using asset::Primitive;
+
+std::uint64_t trianglesOf(const Mesh& mesh) {
+  std::uint64_t indices = 0;
+  for (const Primitive& primitive : mesh.primitives)
+    indices += primitive.indices.size();
+  return indices / 3;
+}
+
+/// Cells that the file itself divides a mesh into; 0: none.
+std::uint32_t storedCells(const Mesh& mesh) {
+  return mesh.primitives.empty() ? 0 : static_cast<std::uint32_t>(mesh.primitives.front().cellEnds.size());
+}
+
+std::vector<glm::vec3> centroidsOf(const Mesh& mesh) {
+  std::vector<glm::vec3> centroids;
+  centroids.reserve(trianglesOf(mesh));
+  for (const Primitive& primitive : mesh.primitives)
+    for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
+      centroids.push_back((primitive.positions[primitive.indices[i]] + primitive.positions[primitive.indices[i + 1]] +
+                           primitive.positions[primitive.indices[i + 2]]) /
+                          3.0F);
+  return centroids;
+}
+
+/// Puts the triangles of one primitive in the order of their cells; the order within a cell stays.
+/// @param cells  per triangle of the primitive
+void sortByCell(const Primitive& primitive, std::span<const std::uint32_t> cells, MeshCells& result) {
+  std::vector<std::uint32_t> ends(result.count, 0);
+  for (const std::uint32_t cell : cells)
+    ends[cell] += 3;
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> next(result.count, 0);
+  std::copy(ends.begin(), ends.end() - 1, next.begin() + 1);
+  std::vector<std::uint32_t> indices(primitive.indices.size());
+  for (std::size_t triangle = 0; triangle < cells.size(); ++triangle) {
+    std::uint32_t& place = next[cells[triangle]];
+    std::copy_n(primitive.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle), 3, indices.begin() + place);
+    place += 3;
+  }
+  result.indices.push_back(std::move(indices));
+  result.ends.push_back(std::move(ends));
+}
+
+MeshCells divide(const Mesh& mesh, const asset::CellTree& tree) {
+  MeshCells result;
+  result.count = tree.cellCount();
+  const std::vector<std::uint32_t> cells = tree.assign(centroidsOf(mesh));
+  std::size_t first = 0;
+  for (const Primitive& primitive : mesh.primitives) {
+    const std::size_t triangles = primitive.indices.size() / 3;
+    sortByCell(primitive, std::span(cells).subspan(first, triangles), result);
+    first += triangles;
+  }
+  return result;
+}
+
+MeshCells stored(const Mesh& mesh) {
+  MeshCells result;
+  result.count = storedCells(mesh);
+  result.indices.resize(mesh.primitives.size());
+  for (const Primitive& primitive : mesh.primitives)
+    result.ends.push_back(primitive.cellEnds);
+  return result;
+}
+
+/// Chooses and divides for one file.
+class Division {
+ public:
+  Division(const asset::SceneFile& file, const CellOptions& options)
+      : file_(file), options_(options), cells_(file.meshes.size()), instances_(file.chains.size()) {
+    for (const asset::Instance& instance : file.instances)
+      ++instances_[instance.chain];
+    usedBy_.resize(file.meshes.size());
+    for (const asset::Chain& chain : file.chains) {
+      for (std::size_t k = 0; k < chain.levels.size(); ++k) {
+        const auto known = std::find_if(chain.levels.begin(), chain.levels.begin() + static_cast<std::ptrdiff_t>(k),
+                                        [&](const asset::LodLevel& l) { return l.mesh == chain.levels[k].mesh; });
+        if (known == chain.levels.begin() + static_cast<std::ptrdiff_t>(k)) ++usedBy_[chain.levels[k].mesh];
+      }
+    }
+  }
+
+  std::vector<MeshCells> run() {
+    std::vector<std::size_t> order(file_.chains.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return finestTriangles(a) > finestTriangles(b); });
+    for (const std::size_t chain : order)
+      if (instances_[chain] > 0) divideChain(chain);
+    return std::move(cells_);
+  }
+
+ private:
+  const Mesh& finest(std::size_t chain) const { return file_.meshes[file_.chains[chain].levels.front().mesh]; }
+  std::uint64_t finestTriangles(std::size_t chain) const { return trianglesOf(finest(chain)); }
+
+  void divideChain(std::size_t chain) {
+    const std::uint32_t fromFile = options_.kind == CellOptions::Kind::kAutomatic ? storedCells(finest(chain)) : 0;
+    if (fromFile > 1) {
+      if (!takeRoom(fromFile * instances_[chain])) return;
+      for (const asset::LodLevel& level : file_.chains[chain].levels)
+        cells_[level.mesh] = stored(file_.meshes[level.mesh]);
+      return;
+    }
+    const std::uint64_t triangles = finestTriangles(chain);
+    const std::uint64_t least = options_.kind == CellOptions::Kind::kAutomatic ? 2 : 1;
+    if (fromFile == 1 || triangles <= least * options_.trianglesPerCell || sharesMeshes(chain)) return;
+    const std::uint64_t expected = (triangles + options_.trianglesPerCell - 1) / options_.trianglesPerCell;
+    if (!takeRoom(expected * instances_[chain])) return;
+    const asset::CellTree tree(centroidsOf(finest(chain)), options_.trianglesPerCell);
+    if (tree.cellCount() == 1) return;
+    for (const asset::LodLevel& level : file_.chains[chain].levels)
+      cells_[level.mesh] = divide(file_.meshes[level.mesh], tree);
+  }
+
+  bool sharesMeshes(std::size_t chain) const {
+    const std::vector<asset::LodLevel>& levels = file_.chains[chain].levels;
+    return std::any_of(levels.begin(), levels.end(),
+                       [&](const asset::LodLevel& level) { return usedBy_[level.mesh] > 1; });
+  }
+
+  /// Whether the scene may have so many cells more. Errors: kLimit.
+  bool takeRoom(std::uint64_t cells) {
+    const bool automatic = options_.kind == CellOptions::Kind::kAutomatic;
+    if (total_ + cells <= (automatic ? kMostAutomaticCells : kMostCells)) {
+      total_ += cells;
+      return true;
+    }
+    if (automatic) return false;
+    throw Error(ErrorCode::kLimit, fmt::format("cells of {} triangles would be more than {} in the whole scene; give "
+                                               "--cells a larger number, or auto",
+                                               options_.trianglesPerCell, kMostCells));
+  }
+
+  const asset::SceneFile& file_;
+  const CellOptions& options_;
+  std::vector<MeshCells> cells_;
+  std::vector<std::uint64_t> instances_;  ///< per chain
+  std::vector<std::uint32_t> usedBy_;     ///< per mesh: number of chains
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace
+
+std::vector<MeshCells> divideMeshes(const asset::SceneFile& file, const CellOptions& options) {
+  if (options.kind == CellOptions::Kind::kOff) return std::vector<MeshCells>(file.meshes.size());
+  return Division(file, options).run();
+}
+
+}  // namespace jalousie::scene
