@@ -1,5 +1,6 @@
 // Chooses the level of detail from the level of visibility and the size on the screen. Include a file with CullView,
 // chains and lods before. CPU twin: src/visibility/lod_policy.cpp
+#include "lib/fading.glsl"
 
 /// Occluded share in [0, 1]: 0 fully visible, 1 fully occluded. LV can lie below -1 and is clamped.
 float hiddenShare(float lv) { return (clamp(lv, -1.0, 1.0) + 1.0) * 0.5; }
@@ -78,12 +79,6 @@ uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
   if (errorPixels <= tau) return 1u;
   return uint(clamp(ceil(sqrt(errorPixels / tau)), 1.0, float(maxLevel)));
 }
-
-/// Frames that a cross-fade still takes, this one included; 0: none.
-uint fadeFrames(uint mark) { return mark >> kMarkFadeShift; }
-
-/// The level that fades out.
-uint fadingLod(uint lod, uint mark) { return (mark & kMarkFromCoarser) != 0u ? lod + 1u : lod - 1u; }
 
 /// One step from the last level towards [lowest, highest].
 uint stepTowards(uint last, uint lowest, uint highest) {

@@ -11,27 +11,26 @@ vec3 coverTint(uint view, uint cover) {
   return heatColor(clamp(log2(max(shareAndChord.y, 1.0)) / log2(kHoleScalePixels), 0.0, 1.0));
 }
 
-/// Colour that a debug view gives to one object.
-vec3 viewTint(uint objectId) {
+/// Colour that a debug view gives to one object. @param chain  of the object or of one of its cells: equally long
+vec3 viewTint(uint objectId, Chain chain) {
   ObjectState state = states[objectId];
   if (drawView.view == kViewGhost) return ghostColor(state.verdict);
   if (drawView.view == kViewCoverage || drawView.view == kViewHoles)
     return coverTint(drawView.view, boxes[objectId].cover);
   if (drawView.view == kViewLv) return heatColor(clamp(0.5 * state.lv + 0.5, 0.0, 1.0));
   if (drawView.view == kViewPhase) return phaseColor(state.verdict, marks[objectId]);
-  uint lodCount = chains[objects[objectId].chain].lodCount;
   float coarseness = drawView.patches != 0u
                          ? float(drawView.maxTessellation - state.tessellation) /
                                float(max(drawView.maxTessellation, 2u) - 1u)
-                         : float(state.lod) / float(max(lodCount, 2u) - 1u);
+                         : float(state.lod) / float(max(chain.lodCount, 2u) - 1u);
   vec3 color = lodColor(state.verdict == kVerdictOccluder, coarseness);
   return drawView.view == kViewLines ? lineColor(color) : color;
 }
 
 /// Share of the pixels that a level in a cross-fade has: positive if it fades in, negative if it fades out; 0: no fade.
-float fadeShare(uint entry) {
+float fadeShare(uint entry, uint objectId) {
   if ((entry & (kInstanceFadingIn | kInstanceFadingOut)) == 0u) return 0.0;
-  uint frames = marks[entry & kInstanceObject] >> kMarkFadeShift;
+  uint frames = (marks[objectId] & kMarkFadeMask) >> kMarkFadeShift;
   float fadingIn = float(drawView.fadeFrames + 1u - frames) / float(drawView.fadeFrames + 1u);
   return (entry & kInstanceFadingIn) != 0u ? fadingIn : fadingIn - 1.0;
 }
@@ -45,10 +44,11 @@ struct MeshVertex {
   uint material;
 };
 
-/// @param entry  of the instance list
+/// @param entry  of the instance list: an object, or a cell where the scene has cells
 void emitVertex(uint entry, MeshVertex vertex) {
-  uint objectId = entry & kInstanceObject;
-  Transform transform = transforms[objects[objectId].transform];
+  Object part = objects[entry & kInstanceObject];
+  uint objectId = part.object;
+  Transform transform = transforms[part.transform];
   fragment.positionWorld = transformPoint(transform, vertex.position);
 #ifdef JAL_OPACITY
   // A coarser level may lie in front of LOD 0. Move it away from the eye along the view ray: it covers the same pixels.
@@ -56,7 +56,7 @@ void emitVertex(uint entry, MeshVertex vertex) {
 #endif
 #ifdef JAL_SHADED
   fragment.normalWorld = transformNormal(transform, vertex.normal);
-  fragment.tint = isShadedView(drawView.view) ? vec3(0.0) : viewTint(objectId);
+  fragment.tint = isShadedView(drawView.view) ? vec3(0.0) : viewTint(objectId, chains[part.chain]);
 #endif
 #if defined(JAL_SHADED) || defined(JAL_SHEET)
   fragment.uv = vertex.uv;
@@ -65,7 +65,7 @@ void emitVertex(uint entry, MeshVertex vertex) {
   fragment.mirrored = isMirrored(transform) ? 1u : 0u;
 #endif
 #ifdef JAL_SHEET
-  fragment.fade = fadeShare(entry);
+  fragment.fade = fadeShare(entry, objectId);
 #endif
 #if defined(JAL_ID) || defined(JAL_SHADED)
   fragment.objectId = objectId;

@@ -20,8 +20,8 @@ vec3 lineColor(vec3 surface) { return dot(surface, vec3(0.2126, 0.7152, 0.0722))
 
 /// A culled object by the reason: occluded magenta, too small yellow, outside the frustum grey-blue.
 vec3 ghostColor(uint verdict) {
-  if (verdict == kVerdictOccluded) return kColorGhostOccluded.rgb;
-  return verdict == kVerdictSmall ? kColorGhostSmall.rgb : kColorGhostOutside.rgb;
+  if (verdict == kVerdictOutside) return kColorGhostOutside.rgb;
+  return verdict == kVerdictSmall ? kColorGhostSmall.rgb : kColorGhostOccluded.rgb;
 }
 
 /// Opacity of a culled object. Objects outside the frustum are many and would cover the others, so they are fainter.

@@ -33,8 +33,8 @@ struct CullView {
   uint measureCover;  // 1: analyse.comp fills ScreenBox.cover, for the views
   float hysteresis;   // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
   uint fadeFrames;    // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
-  uint reserved0;
-  uint reserved1;
+  uint cellCount;     // cells of the scene; 0: objects are culled and drawn whole
+  uint cullCells;     // 1: cells are culled one by one; 0: a cell is drawn where its object is
 };
 JAL_ASSERT_SIZE(CullView, 176)
 
@@ -122,6 +122,10 @@ const uint kMarkRemembered = 1024u;  // the frame before was calm: its level and
 const uint kMarkMeasured = 2048u;    // the remembered LV comes from a count: the next ones are smoothed
 const uint kMarkFadeShift = 12u;  // first bit of the frames that the cross-fade still takes, this one included; 0: none
 const uint kMarkFadeMask = 0xf080u;  // kMarkFromCoarser and the frames
+const uint kMarkMapLodShift = 16u;   // first bit of the level that is drawn into the occlusion map
+const uint kMarkMapLodMask = 0x1f0000u;
+const uint kMarkPlaced = 0x200000u;        // scenes with cells: one of the object's cells is on a draw list
+const uint kMarkPlacedFading = 0x400000u;  // and one of the level that fades out
 
 // An entry of an instance list: an object, and whether its level fades in or out.
 const uint kInstanceFadingIn = 0x40000000u;

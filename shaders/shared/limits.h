@@ -103,7 +103,8 @@ const uint kCounterLate = 53u;       // and in the second
 const uint kCounterSwitches = 54u;   // drawn at another level than in the last frame
 const uint kCounterFading = 55u;     // drawn at two levels
 const uint kCounterDropped = 56u;    // not drawn, or not at both levels, because a list had no room
-const uint kCounterCount = 57u;
+const uint kCounterCells = 57u;      // drawn cells
+const uint kCounterCount = 58u;
 
 // Shader storage bindings; core OpenGL promises eight, so kernels that never share a dispatch share numbers.
 const uint kBindingTransforms = 0u;
@@ -124,6 +125,12 @@ const uint kBindingInstances = 4u;
 const uint kBindingCommands = 5u;
 const uint kBindingBlockSums = 6u;
 const uint kBindingEntries = 7u;
+// Cells (classify_cells.comp, analyse_cells.comp, count_cells.comp): what belongs to a cell, not to its object.
+const uint kBindingCellBounds = 3u;
+const uint kBindingCellStates = 5u;
+const uint kBindingCellMarks = 7u;
+const uint kBindingObjectMarks = 7u;
+const uint kBindingSlotsOfList = 5u;
 // Culled objects (mark_ghosts.comp).
 const uint kBindingGhostStates = 5u;
 const uint kBindingGhostMarks = 7u;

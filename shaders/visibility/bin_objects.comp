@@ -1,9 +1,10 @@
 // First step of a draw list: how many instances of every bin each tile of objects holds, and each object's rank among
 // those of its tile (docs/two_phase_culling.md, "Ordered lists"). Atomics only count; the order is the objects' own.
+// Where the scene has cells, the objects here are the cells.
 // An object in a cross-fade has a second instance at the level that fades out; the second instances of a tile follow
 // all its first ones.
 //
-// One workgroup: one tile. Reads tiles, chains, lods, states, boxes, marks. Writes slots, entries.
+// One workgroup: one tile. Reads tiles, chains, states, marks. Writes slots, entries.
 // Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -11,13 +12,12 @@
 #include "shared/frame_structs.h"
 #include "lib/groups.glsl"
 #include "lib/list_buffers.glsl"
-#include "lib/lod.glsl"
+#include "lib/fading.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]; };
 layout(std430, binding = kBindingSlots) writeonly buffer SlotBlock { uint slots[]; };
 layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
-layout(std430, binding = kBindingBoxes) readonly buffer BoxBlock { ScreenBox boxes[]; };
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
 
 shared uint binOfLane[kObjectGroupSize];
@@ -29,13 +29,13 @@ shared uint fadingMembers;
 /// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
 bool drawsOcclusionMap() { return listView.phase == kMarkEarly && !hasTrait(kTraitTwoPhases); }
 
-uint binOf(uint id, Chain chain) {
+uint binOf(uint id) {
   uint mark = marks[id];
   if ((mark & listView.phase) == 0u) return kNoBin;
   uint level = states[id].lod;
   bool sheet = (mark & kMarkMirrored) != 0u;
   if (drawsOcclusionMap() && !hasTrait(kTraitPatches)) {
-    level = pixelErrorLod(chain, boxes[id].pixelsPerUnit, cullView.occluderTau);
+    level = (mark & kMarkMapLodMask) >> kMarkMapLodShift;
   } else if (hasTrait(kTraitPatches)) {
     level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
   } else {
@@ -61,7 +61,7 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   uint id = tile.firstObject + lane;
   bool exists = lane < tile.objectCount;
-  uint bin = exists ? binOf(id, chain) : kNoBin;
+  uint bin = exists ? binOf(id) : kNoBin;
   uint fadingBin = exists ? fadingBinOf(id) : kNoBin;
   binOfLane[lane] = bin;
   fadingBinOfLane[lane] = fadingBin;

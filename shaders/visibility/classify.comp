@@ -14,6 +14,7 @@
 #include "lib/buffers.glsl"
 #include "lib/importance.glsl"
 #include "lib/lod.glsl"
+#include "lib/expectation.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 /// Visible pixels of each object when they were last counted (kTraitLvPixels).
@@ -30,14 +31,6 @@ uint classify(BoxOnScreen box, float importance) {
       distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld) < cullView.occluderDistance)
     return kVerdictOccluder;
   return box.crossesNear ? kVerdictNear : kVerdictPending;
-}
-
-/// Two phases: whether an object is drawn before the test. An object that was tested in the last frame is expected to
-/// keep its visibility; of the others, those with a large rectangle (kLargeShare) are expected to be visible.
-bool isExpectedVisible(uint lastMarks, vec4 rect) {
-  if ((lastMarks & kMarkTested) != 0u) return (lastMarks & kMarkVisible) != 0u;
-  vec2 size = rect.zw - rect.xy;
-  return size.x * size.y >= kLargeShare * float(cullView.viewportWidth * cullView.viewportHeight);
 }
 
 /// Flags that the verdict alone decides; analyse.comp adds the others.
@@ -117,6 +110,12 @@ ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance)
                    kCoverOpen);
 }
 
+/// Flags of the level that an occluder has in the occlusion map, which has its own budget.
+uint mapLodMark(Chain chain, float pixelsPerUnit) {
+  if (!hasTrait(kTraitUsesMap)) return 0u;
+  return pixelErrorLod(chain, pixelsPerUnit, cullView.occluderTau) << kMarkMapLodShift;
+}
+
 void main() {
   uint id = threadNumber();
   if (id >= cullView.objectCount) return;
@@ -134,7 +133,7 @@ void main() {
   uint verdict = classify(box, importance);
   History history = historyOf(id);
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
-              marksOf(history);
+              marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
   float lv = lvBeforeTest(history, verdict, hasRect ? rect : vec4(vec2(0.0), viewport));
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, lv);
   if (waitsForBlock(history, verdict)) {

@@ -1,6 +1,7 @@
 // Figures of the frame, summed on the GPU: verdicts, levels, triangles (docs/formats.md). Sums of whole numbers do not
 // depend on their order, so atomics leave the result the same in every run.
 //
+// JAL_CELLS: scenes with cells. count_cells.comp has counted triangles, and marked the objects of which some are drawn.
 // One thread: one object. Reads states, marks, objects, chains, lods, and the slots that scatter.comp left. Adds to
 // counters, which the frame cleared.
 // Barrier owed: BUFFER_UPDATE for the copy into the ring. CPU twin: src/visibility/frame_counters.cpp
@@ -23,16 +24,10 @@ layout(std430, binding = kBindingLateSlots) readonly buffer LateSlotBlock { uint
 layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]; };
 
 #include "lib/lod.glsl"
-
-shared uint groupCounters[kObjectGroupSize];
+#include "lib/count_triangles.glsl"
 
 /// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
 uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
-
-void countTriangles(uint triangles) {
-  for (uint limb = 0u; limb < 4u; ++limb)
-    atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);
-}
 
 /// An object whose own instance is on a list. @return  its triangles
 uint countDrawn(ObjectState state, Chain chain, uint mark, bool early) {
@@ -52,13 +47,20 @@ void countObject(uint id) {
   if (!early && (mark & kMarkLate) == 0u) return;
   Chain chain = chains[objects[id].chain];
   bool fades = fadeFrames(mark) > 0u && !hasTrait(kTraitPatches);
+#ifdef JAL_CELLS
+  bool placed = (mark & kMarkPlaced) != 0u;
+  bool fadingPlaced = fades && (mark & kMarkPlacedFading) != 0u;
+#else
   bool placed = (early ? earlySlots[2u * id] : lateSlots[2u * id]) != kNoBin;
   bool fadingPlaced = fades && (early ? earlySlots[2u * id + 1u] : lateSlots[2u * id + 1u]) != kNoBin;
+#endif
   uint triangles = placed ? countDrawn(state, chain, mark, early) : 0u;
   if (fadingPlaced) triangles += lods[chain.firstLod + fadingLod(state.lod, mark)].triangleCount;
   if (placed && fadingPlaced) atomicAdd(groupCounters[kCounterFading], 1u);
+#ifndef JAL_CELLS  // count_cells.comp counts triangles and what found no room
   if (!placed || fades != fadingPlaced) atomicAdd(groupCounters[kCounterDropped], 1u);
   countTriangles(triangles);
+#endif
 }
 
 void main() {
@@ -68,5 +70,5 @@ void main() {
   uint id = threadNumber();
   if (id < cullView.objectCount) countObject(id);
   barrier();
-  if (lane < kCounterCount && groupCounters[lane] > 0u) atomicAdd(counters[lane], groupCounters[lane]);
+  addGroupCounters(lane);
 }

@@ -1,5 +1,7 @@
 // Marks what the frame did not draw, at its coarsest level, for a draw list of its own (the ghost view).
 //
+// JAL_CELLS: the objects here are cells. They stay at the level of their object: at another one, triangles of a cell
+// that is drawn may belong to a cell that is not.
 // One thread: one object. Reads objects, chains, states, marks. Writes ghostStates, ghostMarks.
 // Barrier owed: SHADER_STORAGE for bin_objects.comp. CPU twin: src/visibility/ghost_reference.cpp
 #version 450 core
@@ -20,9 +22,15 @@ layout(std430, binding = kBindingGhostMarks) writeonly buffer GhostMarkBlock { u
 
 void main() {
   uint id = threadNumber();
+#ifdef JAL_CELLS
+  if (id >= cullView.cellCount) return;
+  uint lod = states[id].lod;
+#else
   if (id >= cullView.objectCount) return;
+  uint lod = chains[objects[id].chain].lodCount - 1u;
+#endif
   uint mark = marks[id];
   uint drawn = mark & (hasTrait(kTraitTwoPhases) ? kMarkEarly | kMarkLate : kMarkLate);
   ghostMarks[id] = drawn != 0u ? 0u : kMarkLate | (mark & kMarkMirrored);
-  ghostStates[id] = ObjectState(states[id].verdict, chains[objects[id].chain].lodCount - 1u, 1u, 1.0);
+  ghostStates[id] = ObjectState(states[id].verdict, lod, 1u, 1.0);
 }

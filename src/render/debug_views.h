@@ -29,7 +29,10 @@ class DebugViews {
  public:
   /// Builds every program: a shader that does not build must not be found during a frame. Errors: kShader.
   explicit DebugViews(const scene::SceneData& scene, const gl::ShaderLibrary& shaders = {})
-      : scene_(scene), markGhosts_(visibility::programSource(visibility::ProgramId::kMarkGhosts), shaders) {}
+      : scene_(scene),
+        markGhosts_(visibility::programSource(scene.cells.objects.empty() ? visibility::ProgramId::kMarkGhosts
+                                                                          : visibility::ProgramId::kMarkGhostsOfCells),
+                    shaders) {}
 
   /// Draws over the frame what its view asks for; GL_FRAMEBUFFER_SRGB is on.
   void draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);

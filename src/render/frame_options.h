@@ -39,6 +39,7 @@ struct FrameOptions : FramePolicy {
   /// Screen-space error of the levels drawn into the occlusion map, pixels. Absent: CullModeRow::occluderTau.
   std::optional<float> occluderTau;
   float cullThreshold = 1.0F;  ///< opacity from which a texel occludes; below 1 is not conservative
+  bool cullCells = true;       ///< in scenes with cells: cull them one by one; false: as their objects
   bool skipDraw = false;       ///< leave out what only the picture needs: statistics without a picture
 };
 

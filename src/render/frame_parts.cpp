@@ -17,7 +17,7 @@ gl::Capabilities capabilitiesFor(const RendererOptions& options) {
 }
 
 visibility::DrawListOptions listOptions(const scene::SceneData& scene, const RendererOptions& options) {
-  const auto objects = static_cast<std::uint32_t>(scene.objects.size());
+  const auto objects = static_cast<std::uint32_t>(scene.drawn().objects.size());
   const std::uint32_t most = 2 * objects;  // a cross-faded object is on the list twice
   return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
 }
@@ -44,7 +44,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       targets(width, height),
       map(visibility::mapLayout(width, height), &targets.depth, shaders),
       pyramid(visibility::mapLayout(width, height), capabilities, shaders),
-      objects(buffers.objectCount()),
+      objects(buffers.objectCount(), buffers.cellCount()),
       visibility(objects, options.importance, shaders),
       lists(scene, shaders),
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
@@ -60,8 +60,13 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
 
 void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cullCamera,
                           const scene::Camera& drawCamera) {
-  const ViewSetting setting{targets.width,       targets.height,    buffers.objectCount(),
-                            map.layout().levels, tessellationLimit, scene.boundsWorld};
+  const ViewSetting setting{.width = targets.width,
+                            .height = targets.height,
+                            .objectCount = buffers.objectCount(),
+                            .cellCount = buffers.cellCount(),
+                            .mapLevels = map.layout().levels,
+                            .tessellationLimit = tessellationLimit,
+                            .sceneWorld = scene.boundsWorld};
   cullMode = options.cullMode;
   cullView = makeCullView(options, cullCamera, setting);
   drawView = makeDrawView(options, drawCamera, setting, cullView);

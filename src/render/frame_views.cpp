@@ -31,6 +31,8 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.viewportWidth = setting.width;
   view.viewportHeight = setting.height;
   view.objectCount = setting.objectCount;
+  view.cellCount = setting.cellCount;
+  view.cullCells = options.cullCells ? 1 : 0;
   view.traits = traitsOf(options);
   view.analyse = wantsLv(options) ? 1 : 0;
   view.mapLevels = setting.mapLevels;

@@ -15,6 +15,7 @@ struct ViewSetting {
   std::uint32_t width = 0;  ///< pixels
   std::uint32_t height = 0;
   std::uint32_t objectCount = 0;
+  std::uint32_t cellCount = 0;
   std::uint32_t mapLevels = 0;
   gpu::uint tessellationLimit = 1;
   Aabb sceneWorld;

@@ -36,6 +36,8 @@ FrameStatistics makeStatistics(const visibility::FrameCounters& counters, const 
   result.switches = counters[gpu::kCounterSwitches];
   result.fading = counters[gpu::kCounterFading];
   result.dropped = counters[gpu::kCounterDropped];
+  result.cells = view.cellCount;
+  result.cellsDrawn = counters[gpu::kCounterCells];
   result.triangles = visibility::triangleSum(counters);
   result.trianglesFinest = patches ? full.patchBase * scene::tessellatedTriangles(view.maxTessellation) : full.discrete;
   const gpu::uint levels = patches ? view.maxTessellation : full.maxLods;

@@ -47,6 +47,14 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
   needs.add(size.levels,
             sizeof(gpu::Lod) + 2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
             counted(size.levels, "levels"));
+  needs.add(size.cells,
+            sizeof(gpu::Object) + sizeof(gpu::Chain) + sizeof(gpu::Tile) + sizeof(gpu::ObjectState) +
+                sizeof(gpu::uint) + kLists * 4 * sizeof(gpu::uint),
+            counted(size.cells, "cells"));
+  needs.add(size.cellLevels,
+            sizeof(gpu::Lod) + sizeof(gpu::CellBounds) +
+                2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
+            counted(size.cellLevels, "levels of cells"));
   std::uint64_t texels = 0;
   for (const scene::TextureClass& size_ : scene::layoutTextures(size.images).classes)
     texels += size_.texels();

@@ -63,6 +63,7 @@ constexpr GLuint kPerInstance = 1;
 SceneBuffers::SceneBuffers(const scene::SceneData& scene)
     : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
       transformCount_(static_cast<std::uint32_t>(scene.transforms.size())),
+      cellCount_(static_cast<std::uint32_t>(scene.cells.objects.size())),
       usesBlending_(scene.usesBlending),
       vertices_(upload(scene.vertices, "vertices")),
       indices_(upload(scene.indices, "indices")),
@@ -70,6 +71,10 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       objects_(uploadStorage(scene.objects, "objects")),
       chains_(uploadStorage(scene.chains, "chains")),
       lods_(uploadStorage(scene.lods, "lods")),
+      cells_(uploadStorage(scene.cells.objects, "cells")),
+      cellChains_(uploadStorage(scene.cells.chains, "chains of cells")),
+      cellLods_(uploadStorage(scene.cells.lods, "lods of cells")),
+      cellBounds_(uploadStorage(scene.cells.bounds, "bounds of cells")),
       materials_(uploadStorage(scene.materials, "materials")),
       baseColors_(makeBaseColors(scene.textures)),
       vertexArray_("scene") {
@@ -88,13 +93,19 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
   vertexArray_.setIndexBuffer(indices_);
 }
 
+visibility::SceneBindings SceneBuffers::bindings() const {
+  if (cellCount_ == 0) return {&transforms_, &objects_, &chains_, &lods_};
+  return {&transforms_, &objects_, &chains_, &lods_, &cells_, &cellChains_, &cellLods_, &cellBounds_};
+}
+
 void SceneBuffers::bindForDrawing(const gl::Buffer& instances) {
   // An instanced attribute turns baseInstance into the object id (core 4.5).
   vertexArray_.setBuffer(kPerInstance, instances, sizeof(std::uint32_t), 1);
   vertexArray_.bind();
-  transforms_.bindStorage(gpu::kBindingTransforms);
-  objects_.bindStorage(gpu::kBindingObjects);
-  chains_.bindStorage(gpu::kBindingChains);
+  const visibility::SceneBindings drawn = bindings().drawn();
+  drawn.transforms->bindStorage(gpu::kBindingTransforms);
+  drawn.objects->bindStorage(gpu::kBindingObjects);
+  drawn.chains->bindStorage(gpu::kBindingChains);
   instances.bindStorage(gpu::kBindingDrawInstances);
   materials_.bindStorage(gpu::kBindingMaterials);
   for (std::uint32_t i = 0; i < baseColors_.size(); ++i)

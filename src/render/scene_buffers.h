@@ -23,7 +23,8 @@ class SceneBuffers {
   /// Array textures that the base colours lie in, 1 to gpu::kTextureClasses.
   std::uint32_t textureClasses() const { return static_cast<std::uint32_t>(baseColors_.size()); }
   bool usesBlending() const { return usesBlending_; }
-  visibility::SceneBindings bindings() const { return {&transforms_, &objects_, &chains_, &lods_}; }
+  std::uint32_t cellCount() const { return cellCount_; }  ///< 0: objects are drawn whole
+  visibility::SceneBindings bindings() const;
   /// gpu::Transform [transformCount]: the application may write it, from the CPU or from a shader, between frames.
   gl::Buffer& transforms() { return transforms_; }
   /// Binds vertex input, scene storage and textures for drawing the objects of an instance list.
@@ -32,6 +33,7 @@ class SceneBuffers {
  private:
   std::uint32_t objectCount_;
   std::uint32_t transformCount_;
+  std::uint32_t cellCount_;
   bool usesBlending_;
   gl::Buffer vertices_;
   gl::Buffer indices_;
@@ -39,6 +41,10 @@ class SceneBuffers {
   gl::Buffer objects_;
   gl::Buffer chains_;
   gl::Buffer lods_;
+  gl::Buffer cells_;
+  gl::Buffer cellChains_;
+  gl::Buffer cellLods_;
+  gl::Buffer cellBounds_;
   gl::Buffer materials_;
   std::vector<gl::Texture> baseColors_;  ///< by texture class; at least one
   gl::VertexArray vertexArray_;

@@ -105,6 +105,14 @@ gpu::ScreenBox screenBoxOf(const gpu::CullView& view, const BoxOnScreen& box, co
   return {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, view.tau / importance, gpu::kCoverOpen};
 }
 
+/// Flags of the level that an occluder has in the occlusion map, which has its own budget.
+gpu::uint mapLodMark(const scene::SceneData& scene, const gpu::CullView& view, const gpu::Chain& chain,
+                     float pixelsPerUnit) {
+  if (!has(view.traits, gpu::kTraitUsesMap)) return 0;
+  const auto levels = std::span(scene.lods).subspan(chain.firstLod, chain.lodCount);
+  return pixelErrorLod(levels, pixelsPerUnit, view.occluderTau) << gpu::kMarkMapLodShift;
+}
+
 Aabb boundsOf(const gpu::Chain& chain) {
   return {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)};
 }
@@ -210,7 +218,8 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
   const gpu::uint verdict = classify(box, view, weight);
   const History history = historyOf(view, last);
   result.marks = phasesOf(verdict, isExpectedVisible(history.marks, rect, view), view.traits) |
-                 (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history);
+                 (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history) |
+                 mapLodMark(scene, view, chain, result.box.pixelsPerUnit);
   const float lv = lvBeforeTest(view, history, verdict, hasRect ? rect : glm::vec4(glm::vec2(0.0F), viewport));
   result.state = {verdict, 0, view.maxTessellation, lv};
   if (waitsForBlock(view, history, verdict)) {

@@ -19,9 +19,10 @@ static_assert(gpu::kMaxBinsPerChain <= 1U << gpu::kSlotBinBits);
 gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options) {
   gpu::ListView view{};
   view.phase = phase;
-  view.tileCount = static_cast<gpu::uint>(scene.binLayout.tiles.size());
-  view.binCount = static_cast<gpu::uint>(scene.binLayout.bins.size());
-  view.entryCount = scene.binLayout.entryCount;
+  const scene::BinLayout& layout = scene.drawn().binLayout;
+  view.tileCount = static_cast<gpu::uint>(layout.tiles.size());
+  view.binCount = static_cast<gpu::uint>(layout.bins.size());
+  view.entryCount = layout.entryCount;
   view.capacity = options.capacity;
   view.commandCapacity = options.submission == Submission::kInstanced ? view.binCount : options.capacity;
   view.patches = options.patches ? 1 : 0;
@@ -41,11 +42,11 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
       instances_(makeStorage(sizeof(gpu::uint) * options.capacity, 0, "instance list")),
       commands_(makeStorage(commandBytes(view_), 0, "draw commands")),
       drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, 0, "draw counts")),
-      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.objects.size(), 0, "slots")) {}
+      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.drawn().objects.size(), 0, "slots")) {}
 
 DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
-    : tileCount_(static_cast<std::uint32_t>(scene.binLayout.tiles.size())),
-      blockCount_((scene.binLayout.entryCount + gpu::kScanBlock - 1) / gpu::kScanBlock),
+    : tileCount_(static_cast<std::uint32_t>(scene.drawn().binLayout.tiles.size())),
+      blockCount_((scene.drawn().binLayout.entryCount + gpu::kScanBlock - 1) / gpu::kScanBlock),
       binProgram_(programSource(ProgramId::kBinObjects), shaders),
       scanEntriesProgram_(programSource(ProgramId::kScanEntries), shaders),
       scanSumsProgram_(programSource(ProgramId::kScanSums), shaders),
@@ -53,12 +54,14 @@ DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrar
       scatterPerObjectProgram_(programSource(ProgramId::kScatterPerObject), shaders),
       writeCommandsProgram_(programSource(ProgramId::kWriteCommands), shaders),
       writeCountsProgram_(programSource(ProgramId::kWriteCounts), shaders),
-      tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.binLayout.tiles), "tiles")),
-      bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.binLayout.bins), "bins")),
-      entries_(makeStorage(sizeof(gpu::uint) * scene.binLayout.entryCount, 0, "bin counts")),
+      tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.drawn().binLayout.tiles), "tiles")),
+      bins_(gl::Buffer::fromArray(std::span<const gpu::Bin>(scene.drawn().binLayout.bins), "bins")),
+      entries_(makeStorage(sizeof(gpu::uint) * scene.drawn().binLayout.entryCount, 0, "bin counts")),
       blockSums_(makeStorage(sizeof(gpu::uint) * blockCount_, 0, "block sums")) {}
 
-void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const {
+void DrawListPass::bind(const DrawList& list, const SceneBindings& tables, const ObjectBuffers& objects) const {
+  const SceneBindings scene = tables.drawn();
+  const ObjectBuffers decided = objects.drawn();
   decided.view->bindUniform(gpu::kBindingCullView);
   list.viewBuffer_.bindUniform(gpu::kBindingListView);
   tiles_.bindStorage(gpu::kBindingTiles);
@@ -66,7 +69,6 @@ void DrawListPass::bind(const DrawList& list, const SceneBindings& scene, const 
   scene.chains->bindStorage(gpu::kBindingChains);
   scene.lods->bindStorage(gpu::kBindingLods);
   decided.states->bindStorage(gpu::kBindingStates);
-  decided.boxes->bindStorage(gpu::kBindingBoxes);
   decided.marks->bindStorage(gpu::kBindingMarks);
   entries_.bindStorage(gpu::kBindingEntries);
 }

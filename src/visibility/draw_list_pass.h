@@ -24,14 +24,15 @@ class DrawList {
   DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawListOptions& options);
 
   const DrawListOptions& options() const { return options_; }
-  const gl::Buffer& instances() const { return instances_; }    ///< object ids [capacity]
+  const gl::Buffer& instances() const { return instances_; }    ///< objects or cells [capacity]
   const gl::Buffer& commands() const { return commands_; }      ///< gpu::DrawCommand [lists][commandCapacity]
   const gl::Buffer& drawCounts() const { return drawCounts_; }  ///< gpu::uint [kDrawCounts]
-  /// gpu::uint [2 * objects]: the slot of each object's instance and of its level that fades out, kNoBin for none or
-  /// one that found no room.
+  /// gpu::uint [2 * objects, or cells]: the slot of each one's instance and of its level that fades out, kNoBin for
+  /// none or one that found no room.
   const gl::Buffer& slots() const { return slots_; }
   std::uint32_t commandCapacity() const { return view_.commandCapacity; }
   const gpu::ListView& view() const { return view_; }
+  void bindView(gpu::uint binding) const { viewBuffer_.bindUniform(binding); }
 
  private:
   friend class DrawListPass;
@@ -54,7 +55,7 @@ class DrawListPass {
   void build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided);
 
  private:
-  void bind(const DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) const;
+  void bind(const DrawList& list, const SceneBindings& tables, const ObjectBuffers& objects) const;
 
   std::uint32_t tileCount_;
   std::uint32_t blockCount_;

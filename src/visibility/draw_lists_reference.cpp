@@ -19,7 +19,7 @@ struct Ranges {
 };
 
 /// Solid triangles of a mirrored object go to the sheet list: the solid one would cull them by their winding.
-Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint bin, bool patches) {
+Ranges rangesOf(const scene::DrawTables& scene, const gpu::Chain& chain, gpu::uint bin, bool patches) {
   const gpu::uint level = bin / 2;
   const bool mirrored = bin % 2 == 1;
   const gpu::Lod& lod = scene.lods[patches ? chain.patchLod : chain.firstLod + level];
@@ -34,7 +34,7 @@ Ranges rangesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uin
 
 /// One list of a frame.
 struct List {
-  const scene::SceneData& scene;
+  const scene::DrawTables& scene;
   const gpu::CullView& view;
   gpu::uint phase;
   bool patches;
@@ -50,13 +50,12 @@ bool isFading(const List& list, gpu::uint marks) {
   return fadeFrames(marks) > 0 && !list.patches && !drawsOcclusionMap(list);
 }
 
-gpu::uint binOf(const List& list, const gpu::Chain& chain, const ObjectDecision& object) {
+gpu::uint binOf(const List& list, const ObjectDecision& object) {
   gpu::uint level = object.state.lod;
   if (list.patches) {
     level = object.state.tessellation > 1 ? 1 : 0;
   } else if (drawsOcclusionMap(list)) {
-    level = pixelErrorLod(std::span(list.scene.lods).subspan(chain.firstLod, chain.lodCount), object.box.pixelsPerUnit,
-                          list.view.occluderTau);
+    level = (object.marks & gpu::kMarkMapLodMask) >> gpu::kMarkMapLodShift;
   }
   return 2 * level + ((object.marks & gpu::kMarkMirrored) != 0 || isFading(list, object.marks) ? 1 : 0);
 }
@@ -77,7 +76,7 @@ std::vector<Entry> sortedEntries(const List& list, const ObjectDecisions& object
       const ObjectDecision object = objects[i];
       if ((object.marks & list.phase) == 0) continue;
       const bool fades = isFading(list, object.marks);
-      const gpu::uint bin = binOf(list, list.scene.chains[tile.chain], object);
+      const gpu::uint bin = binOf(list, object);
       entries.push_back({tile.chain, bin, t, false, fades ? i | gpu::kInstanceFadingIn : i});
       if (!fades) continue;
       const gpu::uint fadingBin = 2 * fadingLod(object.state.lod, object.marks) + 1;
@@ -108,7 +107,7 @@ void addNothing(DrawLists& lists, const Ranges& ranges, bool patches) {
 
 }  // namespace
 
-DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+DrawLists buildDrawLists(const scene::DrawTables& scene, const gpu::CullView& view, const ObjectDecisions& objects,
                          gpu::uint phase, const DrawListOptions& options) {
   const List list{scene, view, phase, has(view.traits, gpu::kTraitPatches)};
   std::vector<Entry> entries = sortedEntries(list, objects);

@@ -13,7 +13,7 @@
 #include "visibility/submission.h"
 
 namespace jalousie::scene {
-struct SceneData;
+struct DrawTables;
 }
 
 namespace jalousie::visibility {
@@ -37,8 +37,10 @@ struct DrawLists {
   std::vector<std::uint8_t> placed;
 };
 
-/// @param phase  kMarkEarly or kMarkLate
-DrawLists buildDrawLists(const scene::SceneData& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+/// @param scene    SceneData::drawn()
+/// @param objects  of the objects, or of the cells
+/// @param phase    kMarkEarly or kMarkLate
+DrawLists buildDrawLists(const scene::DrawTables& scene, const gpu::CullView& view, const ObjectDecisions& objects,
                          gpu::uint phase, const DrawListOptions& options);
 
 }  // namespace jalousie::visibility

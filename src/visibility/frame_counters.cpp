@@ -23,6 +23,11 @@ std::uint8_t placedBits(std::span<const std::uint8_t> placed, std::size_t object
   return placed.empty() ? kPlacedOwn | kPlacedFadingOut : placed[object];
 }
 
+std::uint8_t placedCellBits(gpu::uint marks) {
+  return static_cast<std::uint8_t>(((marks & gpu::kMarkPlaced) != 0 ? kPlacedOwn : 0) |
+                                   ((marks & gpu::kMarkPlacedFading) != 0 ? kPlacedFadingOut : 0));
+}
+
 /// One object that is on a list, or would be.
 struct Drawn {
   const gpu::ObjectState& state;
@@ -31,6 +36,11 @@ struct Drawn {
   std::uint8_t placed;
   bool early;
 };
+
+void addTriangles(FrameCounters& counters, std::uint64_t triangles) {
+  for (gpu::uint limb = 0; limb < 4; ++limb)
+    counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+}
 
 void countDrawn(FrameCounters& counters, const scene::SceneData& scene, gpu::uint traits, const Drawn& drawn) {
   const bool patches = has(traits, gpu::kTraitPatches);
@@ -46,12 +56,45 @@ void countDrawn(FrameCounters& counters, const scene::SceneData& scene, gpu::uin
   }
   if (fadingOut) triangles += scene.lods[drawn.chain.firstLod + fadingLod(drawn.state.lod, drawn.marks)].triangleCount;
   if (own && fadingOut) ++counters[gpu::kCounterFading];
+  if (!scene.cells.objects.empty()) return;  // countCells has counted what follows
   if (!own || fades != fadingOut) ++counters[gpu::kCounterDropped];
-  for (gpu::uint limb = 0; limb < 4; ++limb)
-    counters[gpu::kCounterTriangles + limb] += static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+  addTriangles(counters, triangles);
+}
+
+/// The cells of one list. @param placed  kPlaced... bits of each cell
+void countCellsOf(const scene::SceneData& scene, const CellDecisions& cells, gpu::uint phase,
+                  std::span<const std::uint8_t> placed, std::span<gpu::uint> objectMarks, FrameCounters& counters) {
+  for (std::size_t i = 0; i < cells.marks.size(); ++i) {
+    if ((cells.marks[i] & phase) == 0) continue;
+    const gpu::Object& cell = scene.cells.objects[i];
+    const gpu::uint firstLod = scene.cells.chains[cell.chain].firstLod;
+    const auto countLevel = [&](gpu::uint lod, std::uint8_t bit, gpu::uint mark) {
+      const gpu::uint triangles = scene.cells.lods[firstLod + lod].triangleCount;
+      if (triangles == 0) return;
+      if ((placedBits(placed, i) & bit) == 0) {
+        ++counters[gpu::kCounterDropped];
+        return;
+      }
+      objectMarks[cell.object] |= mark;
+      if (bit == kPlacedOwn) ++counters[gpu::kCounterCells];
+      addTriangles(counters, triangles);
+    };
+    countLevel(cells.states[i].lod, kPlacedOwn, gpu::kMarkPlaced);
+    if (fadeFrames(cells.marks[i]) > 0)
+      countLevel(fadingLod(cells.states[i].lod, cells.marks[i]), kPlacedFadingOut, gpu::kMarkPlacedFading);
+  }
 }
 
 }  // namespace
+
+void countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
+                const PlacedInstances& placed, std::span<gpu::uint> objectMarks, FrameCounters& counters) {
+  JAL_CHECK(cells.states.size() == scene.cells.objects.size());
+  JAL_CHECK(cells.marks.size() == scene.cells.objects.size());
+  if (has(view.traits, gpu::kTraitTwoPhases))
+    countCellsOf(scene, cells, gpu::kMarkEarly, placed.early, objectMarks, counters);
+  countCellsOf(scene, cells, gpu::kMarkLate, placed.late, objectMarks, counters);
+}
 
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
                           std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks,
@@ -63,9 +106,9 @@ FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& vi
     ++counters[gpu::kCounterVerdicts + states[i].verdict];
     if (!isDrawn(marks[i], view.traits)) continue;
     const bool early = has(view.traits, gpu::kTraitTwoPhases) && (marks[i] & gpu::kMarkEarly) != 0;
-    countDrawn(counters, scene, view.traits,
-               {states[i], scene.chains[scene.objects[i].chain], marks[i],
-                placedBits(early ? placed.early : placed.late, i), early});
+    const std::uint8_t bits =
+        scene.cells.objects.empty() ? placedBits(early ? placed.early : placed.late, i) : placedCellBits(marks[i]);
+    countDrawn(counters, scene, view.traits, {states[i], scene.chains[scene.objects[i].chain], marks[i], bits, early});
   }
   return counters;
 }

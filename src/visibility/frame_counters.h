@@ -33,7 +33,19 @@ struct PlacedInstances {
 std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain, gpu::uint traits,
                           const gpu::ObjectState& state);
 
+/// What a frame decided about the cells of a scene.
+struct CellDecisions {
+  std::span<const gpu::ObjectState> states;  ///< [scene.cells.objects.size()]
+  std::span<const gpu::uint> marks;
+};
+
+/// Scenes with cells: adds the cells of the lists to the counters. Twin of shaders/visibility/count_cells.comp.
+/// @param objectMarks  [scene.objects.size()]; get kMarkPlaced and kMarkPlacedFading, which countStates reads
+void countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
+                const PlacedInstances& placed, std::span<gpu::uint> objectMarks, FrameCounters& counters);
+
 /// @param states, marks  [scene.objects.size()]
+/// @param placed  of the objects; without effect in scenes with cells
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,
                           std::span<const gpu::ObjectState> states, std::span<const gpu::uint> marks,
                           const PlacedInstances& placed = {});

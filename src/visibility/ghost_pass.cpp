@@ -9,7 +9,7 @@
 namespace jalousie::visibility {
 
 GhostPass::GhostPass(const scene::SceneData& scene, const gl::Program& markProgram)
-    : objectCount_(static_cast<std::uint32_t>(scene.objects.size())),
+    : objectCount_(static_cast<std::uint32_t>(scene.drawn().objects.size())),
       markProgram_(markProgram),
       states_(sizeof(gpu::ObjectState) * objectCount_, 0, "ghost states"),
       marks_(sizeof(gpu::uint) * objectCount_, 0, "ghost marks"),
@@ -19,19 +19,20 @@ void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const Obj
   if (objectCount_ == 0) return;
   markProgram_.use();
   frame.view->bindUniform(gpu::kBindingCullView);
-  scene.objects->bindStorage(gpu::kBindingObjects);
-  scene.chains->bindStorage(gpu::kBindingChains);
-  frame.states->bindStorage(gpu::kBindingStates);
-  frame.marks->bindStorage(gpu::kBindingMarks);
+  scene.drawn().objects->bindStorage(gpu::kBindingObjects);
+  scene.drawn().chains->bindStorage(gpu::kBindingChains);
+  frame.drawn().states->bindStorage(gpu::kBindingStates);
+  frame.drawn().marks->bindStorage(gpu::kBindingMarks);
   states_.bindStorage(gpu::kBindingGhostStates);
   marks_.bindStorage(gpu::kBindingGhostMarks);
   dispatchGroups((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  lists.build(list_, scene, decided(frame));
+  lists.build(list_, scene, {frame.view, &states_, frame.boxes, &marks_});
 }
 
 ObjectBuffers GhostPass::decided(const ObjectBuffers& frame) const {
-  return {frame.view, &states_, frame.boxes, &marks_};
+  // Programs that draw read the objects' states: those of the frame, where the list holds cells.
+  return frame.cellMarks != nullptr ? frame : ObjectBuffers{frame.view, &states_, frame.boxes, &marks_};
 }
 
 }  // namespace jalousie::visibility

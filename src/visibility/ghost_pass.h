@@ -7,16 +7,18 @@
 
 namespace jalousie::visibility {
 
-/// Selects the culled objects of a frame, at their coarsest level. Allocates its buffers in the constructor.
+/// Selects the culled objects or cells of a frame: objects at their coarsest level, cells at that of their object.
+/// Allocates its buffers in the constructor.
 class GhostPass {
  public:
-  /// Keeps a reference to the program of ProgramId::kMarkGhosts. Errors: kLimit as DrawList.
+  /// Keeps a reference to the program of ProgramId::kMarkGhosts, or of kMarkGhostsOfCells if the scene has cells.
+  /// Errors: kLimit as DrawList.
   GhostPass(const scene::SceneData& scene, const gl::Program& markProgram);
 
   /// Fills the list with the objects that the frame does not draw. Leaves the barriers of DrawListPass::build.
   void build(DrawListPass& lists, const SceneBindings& scene, const ObjectBuffers& frame);
   const DrawList& list() const { return list_; }
-  /// Buffers for drawing the list: states and marks of its own, view and boxes of the frame.
+  /// Buffers for drawing the list.
   ObjectBuffers decided(const ObjectBuffers& frame) const;
 
  private:

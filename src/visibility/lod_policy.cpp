@@ -81,7 +81,7 @@ std::uint32_t pixelErrorTessellation(float errorPixels, float tau, std::uint32_t
 }
 
 std::uint32_t fadeFrames(gpu::uint marks) {
-  return marks >> gpu::kMarkFadeShift;
+  return (marks & gpu::kMarkFadeMask) >> gpu::kMarkFadeShift;
 }
 
 std::uint32_t fadingLod(std::uint32_t lod, gpu::uint marks) {

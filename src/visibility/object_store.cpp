@@ -5,15 +5,19 @@
 #include "visibility/storage.h"
 
 namespace jalousie::visibility {
-ObjectStore::ObjectStore(std::uint32_t count)
+ObjectStore::ObjectStore(std::uint32_t count, std::uint32_t cells)
     : objectCount(count),
       states(makeStorage(sizeof(gpu::ObjectState) * count, GL_DYNAMIC_STORAGE_BIT, "object states")),
       boxes(makeStorage(sizeof(gpu::ScreenBox) * count, GL_DYNAMIC_STORAGE_BIT, "screen boxes")),
       marks(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "object marks")),
-      pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")) {}
+      pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")),
+      cellCount(cells),
+      cellStates(makeStorage(sizeof(gpu::ObjectState) * cells, GL_DYNAMIC_STORAGE_BIT, "cell states")),
+      cellMarks(makeStorage(sizeof(gpu::uint) * cells, GL_DYNAMIC_STORAGE_BIT, "cell marks")) {}
 
 void ObjectStore::forget() {
   marks.clear();
+  cellMarks.clear();
 }
 
 }  // namespace jalousie::visibility

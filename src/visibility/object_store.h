@@ -11,16 +11,19 @@ namespace jalousie::visibility {
 /// owns them, and may read them after a frame or write them to start from a given history.
 struct ObjectStore {
   /// All zero: no history. Allocates everything; nothing is allocated later. Errors: kLimit.
-  explicit ObjectStore(std::uint32_t objectCount);
+  explicit ObjectStore(std::uint32_t objectCount, std::uint32_t cellCount = 0);
 
   /// Forgets what was visible in the last frame.
   void forget();
 
   std::uint32_t objectCount;
-  gl::Buffer states;         ///< gpu::ObjectState [objectCount]
-  gl::Buffer boxes;          ///< gpu::ScreenBox [objectCount]
-  gl::Buffer marks;          ///< kMark... [objectCount]
-  gl::Buffer pixelCounts;    ///< gpu::uint [objectCount]: visible pixels at the last count
+  gl::Buffer states;       ///< gpu::ObjectState [objectCount]
+  gl::Buffer boxes;        ///< gpu::ScreenBox [objectCount]
+  gl::Buffer marks;        ///< kMark... [objectCount]
+  gl::Buffer pixelCounts;  ///< gpu::uint [objectCount]: visible pixels at the last count
+  std::uint32_t cellCount;
+  gl::Buffer cellStates;     ///< gpu::ObjectState [cellCount]
+  gl::Buffer cellMarks;      ///< kMark... [cellCount]
   bool countsValid = false;  ///< pixelCounts were made in the last frame
 };
 

@@ -14,6 +14,17 @@ struct SceneBindings {
   const gl::Buffer* objects = nullptr;     ///< gpu::Object [objectCount]
   const gl::Buffer* chains = nullptr;      ///< gpu::Chain
   const gl::Buffer* lods = nullptr;        ///< gpu::Lod
+
+  // The cells of scene::SceneData::cells; null where the scene has none.
+  const gl::Buffer* cells = nullptr;       ///< gpu::Object [cellCount]
+  const gl::Buffer* cellChains = nullptr;  ///< gpu::Chain
+  const gl::Buffer* cellLods = nullptr;    ///< gpu::Lod
+  const gl::Buffer* cellBounds = nullptr;  ///< gpu::CellBounds, by cellLods
+
+  /// What is drawn in the place of the objects: the cells, where there are any.
+  SceneBindings drawn() const {
+    return cells == nullptr ? *this : SceneBindings{transforms, cells, cellChains, cellLods};
+  }
 };
 
 /// What a frame decided about every object, for draw lists and drawing programs.
@@ -22,6 +33,15 @@ struct ObjectBuffers {
   const gl::Buffer* states = nullptr;  ///< gpu::ObjectState [objectCount]
   const gl::Buffer* boxes = nullptr;   ///< gpu::ScreenBox [objectCount]
   const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
+
+  // Of the cells; null where the scene has none.
+  const gl::Buffer* cellStates = nullptr;  ///< gpu::ObjectState [cellCount]
+  const gl::Buffer* cellMarks = nullptr;   ///< kMark... [cellCount]
+
+  /// What draw lists are made of: states and marks of the cells, where there are any.
+  ObjectBuffers drawn() const {
+    return cellMarks == nullptr ? *this : ObjectBuffers{view, cellStates, boxes, cellMarks};
+  }
 };
 
 /// The textures of the overlap test; which of them it reads depends on the traits of the mode.

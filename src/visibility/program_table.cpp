@@ -24,6 +24,13 @@ std::span<const gl::ProgramSource> programTable() {
       {"count states", {"visibility/count_states.comp"}, {}},
       {"count pixels", {"visibility/count_pixels.comp"}, {}},
       {"mark ghosts", {"visibility/mark_ghosts.comp"}, {}},
+      {"classify cells", {"visibility/classify_cells.comp"}, {}},
+      {"analyse cells, map", {"visibility/analyse_cells.comp"}, {"JAL_USES_MAP"}},
+      {"analyse cells, map and depth", {"visibility/analyse_cells.comp"}, {"JAL_USES_MAP", "JAL_USES_DEPTH"}},
+      {"analyse cells, depth", {"visibility/analyse_cells.comp"}, {"JAL_USES_DEPTH"}},
+      {"count cells", {"visibility/count_cells.comp"}, {}},
+      {"count states of cells", {"visibility/count_states.comp"}, {"JAL_CELLS"}},
+      {"mark ghosts of cells", {"visibility/mark_ghosts.comp"}, {"JAL_CELLS"}},
   };
   return kPrograms;
 }

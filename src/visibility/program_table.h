@@ -27,6 +27,13 @@ enum class ProgramId : unsigned {
   kCountStates,
   kCountPixels,
   kMarkGhosts,
+  kClassifyCells,
+  kAnalyseCellsMap,  ///< as the programs for objects
+  kAnalyseCellsMapDepth,
+  kAnalyseCellsDepth,
+  kCountCells,
+  kCountStatesOfCells,  ///< kCountStates in scenes with cells
+  kMarkGhostsOfCells,
 };
 
 /// All programs, in the order of ProgramId.

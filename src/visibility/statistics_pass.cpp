@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "policy/traits.h"
 #include "visibility/dispatch.h"
 #include "visibility/program_table.h"
 
@@ -22,6 +23,8 @@ constexpr GLbitfield kMapFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
 
 StatisticsPass::StatisticsPass(const gl::ShaderLibrary& shaders)
     : countProgram_(programSource(ProgramId::kCountStates), shaders),
+      countCellsProgram_(programSource(ProgramId::kCountCells), shaders),
+      countStatesOfCellsProgram_(programSource(ProgramId::kCountStatesOfCells), shaders),
       counters_(sizeof(FrameCounters), 0, "frame counters"),
       mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
       memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}
@@ -38,21 +41,7 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   const std::size_t index = frame_ % slots_.size();
   Slot& slot = slots_[index];
   if (slot.fence != nullptr && !collect(slot, index, 0)) return;
-  if (view.objectCount > 0) {
-    counters_.clear();
-    countProgram_.use();
-    decided.view->bindUniform(gpu::kBindingCullView);
-    counters_.bindStorage(gpu::kBindingCounters);
-    scene.objects->bindStorage(gpu::kBindingObjects);
-    scene.chains->bindStorage(gpu::kBindingChains);
-    scene.lods->bindStorage(gpu::kBindingLods);
-    decided.states->bindStorage(gpu::kBindingStates);
-    decided.marks->bindStorage(gpu::kBindingMarks);
-    (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
-    late.slots().bindStorage(gpu::kBindingLateSlots);
-    dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  }
+  if (view.objectCount > 0) count(scene, decided, view, early, late);
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);
   constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
   constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
@@ -64,6 +53,42 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   slot.frame = frame_;
   slot.view = view;
   slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void StatisticsPass::count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
+                           const DrawList* early, const DrawList& late) {
+  counters_.clear();
+  decided.view->bindUniform(gpu::kBindingCullView);
+  counters_.bindStorage(gpu::kBindingCounters);
+  if (view.cellCount > 0) {
+    if (early != nullptr && has(view.traits, gpu::kTraitTwoPhases)) countCells(scene, decided, view, *early);
+    countCells(scene, decided, view, late);
+  }
+  (view.cellCount > 0 ? countStatesOfCellsProgram_ : countProgram_).use();
+  scene.objects->bindStorage(gpu::kBindingObjects);
+  scene.chains->bindStorage(gpu::kBindingChains);
+  scene.lods->bindStorage(gpu::kBindingLods);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.marks->bindStorage(gpu::kBindingMarks);
+  (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
+  late.slots().bindStorage(gpu::kBindingLateSlots);
+  dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void StatisticsPass::countCells(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
+                                const DrawList& list) const {
+  countCellsProgram_.use();
+  list.bindView(gpu::kBindingListView);
+  scene.cells->bindStorage(gpu::kBindingObjects);
+  scene.cellChains->bindStorage(gpu::kBindingChains);
+  scene.cellLods->bindStorage(gpu::kBindingLods);
+  decided.cellStates->bindStorage(gpu::kBindingStates);
+  decided.cellMarks->bindStorage(gpu::kBindingMarks);
+  list.slots().bindStorage(gpu::kBindingSlotsOfList);
+  decided.marks->bindStorage(gpu::kBindingObjectMarks);
+  dispatchGroups((view.cellCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs) {

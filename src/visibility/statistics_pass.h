@@ -48,7 +48,14 @@ class StatisticsPass {
   };
   bool collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs);
 
+  void count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view, const DrawList* early,
+             const DrawList& late);
+  void countCells(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
+                  const DrawList& list) const;
+
   gl::Program countProgram_;
+  gl::Program countCellsProgram_;
+  gl::Program countStatesOfCellsProgram_;
   gl::Buffer counters_;
   gl::Buffer mapped_;
   const gpu::uint* memory_ = nullptr;

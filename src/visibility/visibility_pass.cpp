@@ -33,6 +33,10 @@ VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* impor
       analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth), shaders),
       analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth), shaders),
       countPixelsProgram_(programSource(ProgramId::kCountPixels), shaders),
+      classifyCellsProgram_(programSource(ProgramId::kClassifyCells), shaders),
+      analyseCellsMapProgram_(programSource(ProgramId::kAnalyseCellsMap), shaders),
+      analyseCellsMapDepthProgram_(programSource(ProgramId::kAnalyseCellsMapDepth), shaders),
+      analyseCellsDepthProgram_(programSource(ProgramId::kAnalyseCellsDepth), shaders),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
       cosines_(makeCosines()) {
   if (importance == nullptr) return;
@@ -43,6 +47,7 @@ VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* impor
 
 void VisibilityPass::setView(gpu::CullView view) {
   JAL_CHECK(view.objectCount == objects_.objectCount);
+  JAL_CHECK(view.cellCount == objects_.cellCount);
   view.importanceLevels = importance_ ? importance_->size().levels : 0;
   view.importanceWidth = importanceWidth_;
   view.importanceHeight = importanceHeight_;
@@ -55,6 +60,7 @@ void VisibilityPass::classify(const SceneBindings& scene) {
   if (importance_) importance_->bind(gpu::kUnitImportance);
   objects_.pixelCounts.bindStorage(gpu::kBindingPixelCounts);
   dispatch(classifyProgram_, scene);
+  dispatchCells(classifyCellsProgram_, scene);
 }
 
 void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover) {
@@ -68,6 +74,10 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const
   }
   cosines_.bindStorage(gpu::kBindingCosines);
   dispatch(!usesDepth ? analyseMapProgram_ : usesMap ? analyseMapDepthProgram_ : analyseDepthProgram_, scene);
+  dispatchCells(!usesDepth ? analyseCellsMapProgram_
+                : usesMap  ? analyseCellsMapDepthProgram_
+                           : analyseCellsDepthProgram_,
+                scene);
 }
 
 void VisibilityPass::countPixels(const gl::Texture& items) {
@@ -85,6 +95,30 @@ void VisibilityPass::countPixels(const gl::Texture& items) {
   glDispatchCompute(groups(items.size().width, gpu::kCountBlockWidth),
                     groups(items.size().height, gpu::kCountBlockHeight), 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+ObjectBuffers VisibilityPass::decided() const {
+  ObjectBuffers buffers{&view_, &objects_.states, &objects_.boxes, &objects_.marks};
+  if (objects_.cellCount == 0) return buffers;
+  buffers.cellStates = &objects_.cellStates;
+  buffers.cellMarks = &objects_.cellMarks;
+  return buffers;
+}
+
+void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindings& scene) const {
+  if (objects_.cellCount == 0) return;
+  program.use();
+  view_.bindUniform(gpu::kBindingCullView);
+  scene.transforms->bindStorage(gpu::kBindingTransforms);
+  scene.cells->bindStorage(gpu::kBindingObjects);
+  scene.cellChains->bindStorage(gpu::kBindingChains);
+  scene.cellBounds->bindStorage(gpu::kBindingCellBounds);
+  objects_.states.bindStorage(gpu::kBindingStates);
+  objects_.marks.bindStorage(gpu::kBindingMarks);
+  objects_.cellStates.bindStorage(gpu::kBindingCellStates);
+  objects_.cellMarks.bindStorage(gpu::kBindingCellMarks);
+  dispatchGroups((objects_.cellCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& scene) const {

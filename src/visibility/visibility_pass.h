@@ -23,21 +23,23 @@ class VisibilityPass {
                           const gl::ShaderLibrary& shaders = {});
 
   /// Uploads camera and policy for the kernels; fills in the importance mask's size.
-  /// @pre view.objectCount equals the store's (checked)
+  /// @pre view.objectCount and cellCount equal the store's (checked)
   void setView(gpu::CullView view);
-  /// Verdict, screen box, phase and first detail of every object. Leaves a STORAGE barrier.
+  /// Verdict, screen box, phase and first detail of every object; phase of every cell. Leaves a STORAGE barrier.
   void classify(const SceneBindings& scene);
-  /// Overlap test and LV of the objects that classify left pending. Leaves a STORAGE barrier.
+  /// Overlap test and LV of the objects that classify left pending; overlap test of the cells of what passes. Leaves a
+  /// STORAGE barrier.
   /// @param traits  gpu::CullView::traits, with kTraitUsesMap, kTraitUsesDepth or both
   void analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover);
   /// Counts the visible pixels of each object, for the LV of the next frames (kTraitLvPixels). Call after the frame is
   /// drawn.
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
   void countPixels(const gl::Texture& items);
-  ObjectBuffers decided() const { return {&view_, &objects_.states, &objects_.boxes, &objects_.marks}; }
+  ObjectBuffers decided() const;
 
  private:
   void dispatch(const gl::Program& program, const SceneBindings& scene) const;
+  void dispatchCells(const gl::Program& program, const SceneBindings& scene) const;
 
   ObjectStore& objects_;
   gl::Program classifyProgram_;
@@ -45,6 +47,10 @@ class VisibilityPass {
   gl::Program analyseMapDepthProgram_;
   gl::Program analyseDepthProgram_;
   gl::Program countPixelsProgram_;
+  gl::Program classifyCellsProgram_;
+  gl::Program analyseCellsMapProgram_;
+  gl::Program analyseCellsMapDepthProgram_;
+  gl::Program analyseCellsDepthProgram_;
   gl::Buffer view_;
   gl::Buffer cosines_;
   std::optional<gl::Texture> importance_;

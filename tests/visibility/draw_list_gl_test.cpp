@@ -41,7 +41,7 @@ class DrawListGl : public test::GlTest {
       input.states.push_back({gpu::kVerdictPartial, random.below(chain.lodCount),
                               random.below(3) == 0 ? 1 : 1 + random.below(maxTessellation), -1.0F});
       input.boxes.push_back({0, 0, 1, 1, 0.5F, std::exp2(random.uniform(0.0F, 12.0F)), 1.0F, 0});
-      input.marks.push_back(random.below(8) |
+      input.marks.push_back(random.below(8) | random.below(chain.lodCount) << gpu::kMarkMapLodShift |
                             (isMirrored(scene.transforms[scene.objects[i].transform]) ? gpu::kMarkMirrored : 0));
       if (chain.lodCount == 1 || random.below(3) > 0) continue;
       const gpu::uint lod = input.states.back().lod;
