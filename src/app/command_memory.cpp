@@ -61,13 +61,15 @@ MemoryEstimate flatNeeds(const asset::SceneSize& size) {
   return sum({scene::fileNeeds(size), scene::imageNeeds(size), scene::sceneNeeds(size, false)});
 }
 
-MemoryEstimate renderNeeds(const asset::SceneSize& size, const RenderOptions& options) {
+MemoryEstimate renderNeeds(const asset::SceneSize& whole, const RenderOptions& options) {
+  const asset::SceneSize size = scene::withCells(whole, options.cells);
   return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size),
               scene::sceneNeeds(size, hasPatches(options)),
               larger(scene::fileNeeds(size), rendererNeeds(size, options))});
 }
 
-MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& options) {
+MemoryEstimate viewNeeds(const asset::SceneSize& whole, const RenderOptions& options) {
+  const asset::SceneSize size = scene::withCells(whole, options.cells);
   return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size), scene::fileNeeds(size),
               scene::sceneNeeds(size, hasPatches(options)), rendererNeeds(size, options)});
 }
@@ -77,9 +79,13 @@ MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& 
   // configuration.
   const std::uint64_t pictureBytes = 2 * (4 + 20) + 44 + 16 + 4 * comparison.configurations;
   MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
-  if (comparison.patches) needs.add(scene::sceneNeeds(size, true));
-  const MemoryEstimate each = sum(
-      {render::bufferNeeds(size, comparison.patches, {}), render::targetNeeds(comparison.width, comparison.height)});
+  MemoryEstimate each;
+  for (const scene::BuildOptions& build : comparison.builds) {
+    const asset::SceneSize built = scene::withCells(size, build.cells);
+    if (build != scene::BuildOptions{}) needs.add(scene::sceneNeeds(built, build.patches));
+    each = larger(each, sum({render::bufferNeeds(built, build.patches, {}),
+                             render::targetNeeds(comparison.width, comparison.height)}));
+  }
   needs.add(comparison.renderers, each.bytes(), each.largestItem());
   if (comparison.pictures)
     needs.add(std::uint64_t{comparison.width} * comparison.height, pictureBytes, "pictures and their errors");

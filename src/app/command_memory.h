@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "app/render_options.h"
 #include "asset/scene_file.h"
 #include "core/memory_estimate.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::app {
 
@@ -26,17 +28,17 @@ MemoryEstimate maskNeeds(const std::filesystem::path& file);
 MemoryEstimate readingNeeds(const asset::SceneSize& size);
 /// For a scene without a picture: the file and the flat arrays.
 MemoryEstimate flatNeeds(const asset::SceneSize& size);
-/// `jalousie render`: the file is gone when the renderer is made.
-MemoryEstimate renderNeeds(const asset::SceneSize& size, const RenderOptions& options);
+/// `jalousie render`, of a scene without cells, which the options add: the file is gone when the renderer is made.
+MemoryEstimate renderNeeds(const asset::SceneSize& whole, const RenderOptions& options);
 /// One configuration of the viewer: the file stays.
-MemoryEstimate viewNeeds(const asset::SceneSize& size, const RenderOptions& options);
+MemoryEstimate viewNeeds(const asset::SceneSize& whole, const RenderOptions& options);
 
 /// What experiments keep at the same time.
 struct ComparisonSize {
   std::uint64_t renderers = 1;
-  std::uint64_t configurations = 1;  ///< each has a picture of the present frame
-  bool patches = false;              ///< a second scene, for tessellation
-  bool pictures = false;             ///< they are compared with a reference
+  std::uint64_t configurations = 1;         ///< each has a picture of the present frame
+  std::vector<scene::BuildOptions> builds;  ///< of the configurations, beside the plain scene of the reference
+  bool pictures = false;                    ///< they are compared with a reference
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 };

@@ -44,20 +44,24 @@ constexpr std::uint64_t kMaxProgramBytes = 1ULL << 30U;
 struct Setup {
   std::vector<compare::Configuration> configurations;
   std::deque<visibility::ImportanceMask> masks;  ///< a deque, so that the configurations' pointers stay valid
-  bool patches = false;                          ///< some configuration tessellates
+  std::vector<scene::BuildOptions> builds;       ///< of the configurations, each once
   bool followsError = false;                     ///< some configuration chooses levels by error
 };
 
 void setUp(const CompareOptions& options, Setup& setup) {
   for (const ConfigurationText& text : options.chosen) {
     const RenderOptions render = optionsOf(text);
-    compare::Configuration configuration{text.name, text.options, render.frameOptions, render.rendererOptions};
+    compare::Configuration configuration{
+        text.name, text.options, render.frameOptions, render.rendererOptions,
+        scene::BuildOptions{.patches = rowOf(render.frameOptions.detail).patches, .cells = render.cells}};
+    if (configuration.build.patches) configuration.build.cells = {};  // --cells has no effect on patches
     configuration.renderer.memory = options.memory;
     if (!render.importance.empty()) {
       maskNeeds(render.importance).require(options.memory, render.importance);
       configuration.renderer.importance = &setup.masks.emplace_back(asset::loadImage(render.importance));
     }
-    setup.patches = setup.patches || configuration.tessellates();
+    if (std::find(setup.builds.begin(), setup.builds.end(), configuration.build) == setup.builds.end())
+      setup.builds.push_back(configuration.build);
     setup.followsError = setup.followsError || configuration.followsTau();
     setup.configurations.push_back(std::move(configuration));
   }
@@ -163,8 +167,11 @@ void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) 
 void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes,
           const gl::Capabilities& capabilities) {
   if (scenes.plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
-  if (scenes.patches != nullptr)
-    warnTessellationLimit(options.scene, *scenes.patches, capabilities, gpu::kMaxTessellationLevel);
+  for (std::size_t i = 0; i < setup.configurations.size(); ++i) {
+    if (!setup.configurations[i].build.patches) continue;
+    warnTessellationLimit(options.scene, *scenes.ofConfigurations[i], capabilities, gpu::kMaxTessellationLevel);
+    break;
+  }
 }
 
 /// Runs the steps that are left until all are done or a signal arrives.
@@ -179,6 +186,20 @@ void runSteps(compare::Experiment& experiment, const CompareOptions& options) {
     experiment.runStep();
 }
 
+/// The scene as each configuration needs it. @param others  gets the builds that are not the plain one
+compare::Scenes scenesOf(const asset::SceneFile& file, const scene::SceneData& plain, const Setup& setup,
+                         std::deque<scene::SceneData>& others) {
+  std::vector<const scene::SceneData*> built;
+  for (const scene::BuildOptions& build : setup.builds)
+    built.push_back(build == scene::BuildOptions{} ? &plain : &others.emplace_back(scene::buildScene(file, build)));
+  compare::Scenes scenes{plain};
+  for (const compare::Configuration& configuration : setup.configurations) {
+    const auto known = std::find(setup.builds.begin(), setup.builds.end(), configuration.build);
+    scenes.ofConfigurations.push_back(built[static_cast<std::size_t>(known - setup.builds.begin())]);
+  }
+  return scenes;
+}
+
 int compareScene(const CompareOptions& options) {
   compare::ReportFolder folder(options.output);
   Setup setup;
@@ -187,7 +208,7 @@ int compareScene(const CompareOptions& options) {
   const std::size_t configurations = setup.configurations.size();
   const ComparisonSize comparison{.renderers = configurations + (pictures ? 1 : 0),
                                   .configurations = configurations,
-                                  .patches = setup.patches,
+                                  .builds = setup.builds,
                                   .pictures = pictures,
                                   .width = options.width,
                                   .height = options.height};
@@ -196,9 +217,8 @@ int compareScene(const CompareOptions& options) {
   const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);
-  std::optional<scene::SceneData> patches;
-  if (setup.patches) patches.emplace(scene::buildScene(file, {.patches = true}));
-  const compare::Scenes scenes{plain, patches ? &*patches : nullptr};
+  std::deque<scene::SceneData> others;
+  const compare::Scenes scenes = scenesOf(file, plain, setup, others);
 
   const platform::HeadlessContext context(options.debug);
   const GlDebug debug(options.debug);

@@ -22,13 +22,14 @@ struct BuiltIn {
   const char* options;
 };
 constexpr BuiltIn kBuiltIns[] = {
-    {"frustum", "--mode frustum --lod pixel-error"},
-    {"frustum-finest", "--mode frustum --lod finest"},
-    {"hom", "--mode hom --lod finest"},
-    {"hom-depth", "--mode hom-depth --lod pixel-error"},
-    {"hom+lv", "--mode hom --lod linear --lv thesis"},
+    {"frustum", "--mode frustum --lod pixel-error --cells off"},
+    {"frustum-finest", "--mode frustum --lod finest --cells off"},
+    {"hom", "--mode hom --lod finest --cells off"},
+    {"hom-depth", "--mode hom-depth --lod pixel-error --cells off"},
+    {"hom+lv", "--mode hom --lod linear --lv thesis --cells off"},
     {"hom+lv-tessellation", "--mode hom --lod linear --lv thesis --detail tessellation"},
-    {"hiz", "--mode hiz --lod pixel-error"},
+    {"hiz", "--mode hiz --lod pixel-error --cells off"},
+    {"hiz-cells", "--mode hiz --lod pixel-error"},
     {"default", ""},
     {"calm", "--calm"},
     {"discrete", "--detail discrete"},
@@ -44,7 +45,7 @@ constexpr Set kSets[] = {
     {"standard", "frustum,hiz,default", "the default and its two baselines"},
     {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "the methods of Kristmann 2022, Fig. 4.6 to 4.10"},
     {"ab", "discrete,tessellation", "LOD chain and Phong tessellation with the same error budget"},
-    {"all", "frustum,hom-depth,hiz,default,calm,hom+lv,tessellation", "one configuration of each kind"},
+    {"all", "frustum,hom-depth,hiz,hiz-cells,default,calm,hom+lv,tessellation", "one configuration of each kind"},
 };
 
 constexpr std::uint64_t kMaxFileBytes = 1U << 20U;

@@ -34,7 +34,7 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 scene::SceneData loadScene(const RenderOptions& options) {
   const asset::SceneFile file = readWithin(options.scene, options.memory,
                                            [&](const asset::SceneSize& size) { return renderNeeds(size, options); });
-  return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches});
+  return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches, .cells = options.cells});
 }
 
 void render(const RenderOptions& options) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include <CLI/CLI.hpp>
 #include <string_view>
 
@@ -106,6 +108,27 @@ ChoiceValue submissionChoice() {
           {"instanced", std::string(kPerObject)}};
 }
 
+constexpr std::string_view kAutomaticCells = "auto";
+constexpr std::string_view kNoCells = "off";
+
+std::string cellsText(const Options& o) {
+  switch (o.cells.kind) {
+    case scene::CellOptions::Kind::kAutomatic:
+      return std::string(kAutomaticCells);
+    case scene::CellOptions::Kind::kOff:
+      return std::string(kNoCells);
+    case scene::CellOptions::Kind::kCount:
+      break;
+  }
+  return std::to_string(o.cells.trianglesPerCell);
+}
+
+void setCells(Options& o, std::string_view name) {
+  using Kind = scene::CellOptions::Kind;
+  o.cells = {name == kAutomaticCells ? Kind::kAutomatic : name == kNoCells ? Kind::kOff : Kind::kCount};
+  if (o.cells.kind == Kind::kCount) std::from_chars(name.data(), name.data() + name.size(), o.cells.trianglesPerCell);
+}
+
 std::vector<RenderOption> cullingRows() {
   return {
       {"--mode", "mode", "", "Choose the culling mode. " + policy::helpOf(cullModeTable()), OptionGroup::kCulling,
@@ -115,6 +138,11 @@ std::vector<RenderOption> cullingRows() {
        OptionGroup::kCulling, NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
        "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
+      {"--cells", "cells", "triangles",
+       "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
+       "same. auto = the cells of the file, else cells of 256 triangles for large objects with few instances",
+       OptionGroup::kCulling, ChoiceValue{cellsText, setCells, {"auto", "off", "64", "128", "256", "512", "1024"}},
+       "--detail discrete", [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},
       {"--importance", "importance mask", "",
        "Scale --tau and --min-pixels by a grey image stretched over the screen: white keeps them, darker grey divides "
        "them by its value, at least 1/16",

@@ -10,6 +10,7 @@
 
 #include "core/memory_limit.h"
 #include "render/frame_options.h"
+#include "scene/cell_options.h"
 
 namespace jalousie::app {
 
@@ -34,6 +35,7 @@ struct RenderOptions {
   bool quiet = false;
   bool debug = false;  ///< use an OpenGL debug context; its messages set the exit code
   bool coreOnly = false;
+  scene::CellOptions cells{scene::CellOptions::Kind::kAutomatic};  ///< how the scene is built
   std::set<std::string> given;  ///< names of the table's options that the command line holds, whatever their value
   render::FrameOptions frameOptions;
   render::RendererOptions rendererOptions;

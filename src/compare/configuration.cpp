@@ -9,10 +9,6 @@ bool Configuration::followsTau() const {
   return rowOf(frame.lodRule).followsError;
 }
 
-bool Configuration::tessellates() const {
-  return rowOf(frame.detail).patches;
-}
-
 render::FrameOptions referenceOptions(Reference reference) {
   JAL_CHECK((reference != Reference::kNone));
   render::FrameOptions options;

@@ -5,6 +5,7 @@
 
 #include "compare/plan.h"
 #include "render/frame_options.h"
+#include "scene/scene_data.h"
 
 namespace jalousie::compare {
 
@@ -14,11 +15,10 @@ struct Configuration {
   std::string commandLine;  ///< the same as options of `jalousie render`
   render::FrameOptions frame;
   render::RendererOptions renderer;  ///< its importance mask, if any, must outlive the experiment
+  scene::BuildOptions build = {};    ///< how its scene is built
 
   /// Whether the level rule reads FrameOptions::tau, so that a sweep can vary it.
   bool followsTau() const;
-  /// Whether the renderer needs the scene built with patches (scene::buildScene with patches = true).
-  bool tessellates() const;
 };
 
 /// How the reference pictures are rendered: every object at its finest level. @pre not Reference::kNone (checked)

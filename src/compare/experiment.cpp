@@ -117,8 +117,7 @@ render::FrameRenderer& Experiment::renderer(std::size_t configuration) {
   std::unique_ptr<render::FrameRenderer>& slot = renderers_[configuration];
   if (slot == nullptr) {
     const Configuration& c = inputs_.configurations[configuration];
-    if (c.tessellates()) JAL_CHECK((inputs_.scenes.patches != nullptr));
-    slot = std::make_unique<render::FrameRenderer>(c.tessellates() ? *inputs_.scenes.patches : inputs_.scenes.plain,
+    slot = std::make_unique<render::FrameRenderer>(*inputs_.scenes.ofConfigurations.at(configuration),
                                                    inputs_.plan.width, inputs_.plan.height, c.renderer);
     // Warm-up: the driver compiles the shaders and allocates memory in the first frame.
     render::FrameOptions options = c.frame;

@@ -24,9 +24,8 @@ struct Configuration;
 
 /// The scene in the forms that its configurations need.
 struct Scenes {
-  const scene::SceneData& plain;
-  /// Built with patches; null if no configuration tessellates.
-  const scene::SceneData* patches = nullptr;
+  const scene::SceneData& plain;                            ///< without patches and cells: for the reference
+  std::vector<const scene::SceneData*> ofConfigurations{};  ///< built as Configuration::build says
 };
 
 /// What an experiment consists of. Everything that is referred to must outlive the experiment.

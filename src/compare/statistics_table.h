@@ -25,6 +25,8 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"switches", &render::FrameStatistics::switches},
     {"fading", &render::FrameStatistics::fading},
     {"dropped", &render::FrameStatistics::dropped},
+    {"cells", &render::FrameStatistics::cells},
+    {"cells_drawn", &render::FrameStatistics::cellsDrawn},
     {"draws", &render::FrameStatistics::draws},
     {"triangles", &render::FrameStatistics::triangles},
     {"triangles_full", &render::FrameStatistics::trianglesFinest},

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "app/command_memory.h"
+#include "app/render_option_table.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -19,7 +20,8 @@ namespace {
 
 /// The options that a renderer is made for, apart from its size. Renderers with equal texts are interchangeable.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}", rowOf(options.frameOptions.detail).patches,
+  return fmt::format("{}|{}|{}|{}|{}|{}", valueText(renderOption("--cells"), options),
+                     rowOf(options.frameOptions.detail).patches,
                      static_cast<unsigned>(options.rendererOptions.submission), options.coreOnly,
                      options.rendererOptions.capacity.value_or(0), options.importance.string());
 }
@@ -39,7 +41,7 @@ std::optional<Error> failureOf(const std::function<void()>& task, const std::fil
 }  // namespace
 
 Side::Side(const asset::SceneFile& file, const RenderOptions& options, const MemoryLimit& memory)
-    : scene_(scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches})),
+    : scene_(scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches, .cells = options.cells})),
       rendererOptions_(options.rendererOptions),
       madeFor_(keyOf(options)) {
   if (!options.importance.empty()) importance_.emplace(asset::loadImage(options.importance));
