@@ -64,9 +64,9 @@ struct Lod {
   uint blendCount;  // indices of blended triangles
   int baseVertex;
   uint triangleCount;  // (solidCount + sheetCount + blendCount) / 3
-  float errorObject;   // deviation from LOD 0, object-space length; of a patch base: its flat triangles from its
-                       // own curved surface. Infinite where unknown
-  uint reserved0;
+  float errorObject;   // largest deviation from LOD 0, object-space length; of a patch base: its flat triangles from
+                       // its own curved surface. Infinite where unknown
+  float meanErrorObject;  // mean deviation, ascending along the chain; errorObject where unknown
 };
 JAL_ASSERT_SIZE(Lod, 32)
 

@@ -48,6 +48,11 @@ gpu::Material makeMaterial(const asset::Material& material, std::span<const Text
   return result;
 }
 
+/// Mean deviation of a level, at most its largest one, which counts where the file states no mean.
+float meanErrorOf(const asset::LodLevel& level) {
+  return std::min(level.meanErrorObject.value_or(level.errorObject), level.errorObject);
+}
+
 /// Builds one scene.
 class Builder {
  public:
@@ -162,7 +167,7 @@ class Builder {
       next = end;
     }
     gpu::Lod lod = appendMesh(mesh, &split);
-    lod.errorObject = error;
+    lod.errorObject = lod.meanErrorObject = error;
     return lod;
   }
 
@@ -174,9 +179,12 @@ class Builder {
     result.firstLod = static_cast<std::uint32_t>(scene_.lods.size());
     result.lodCount = static_cast<std::uint32_t>(chain.levels.size());
     Aabb bounds;
+    float mean = 0.0F;
     for (const asset::LodLevel& level : chain.levels) {
       gpu::Lod lod = meshLods_[level.mesh];
       lod.errorObject = level.errorObject;
+      lod.meanErrorObject = meanErrorOf(level);
+      if (std::isfinite(lod.meanErrorObject)) lod.meanErrorObject = mean = std::max(mean, lod.meanErrorObject);
       scene_.hasUnmeasuredLevels |= !std::isfinite(level.errorObject);
       scene_.lods.push_back(lod);
       bounds.add(meshBounds_[level.mesh]);
