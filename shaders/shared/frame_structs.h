@@ -33,8 +33,8 @@ struct CullView {
   uint measureCover;  // 1: analyse.comp fills ScreenBox.cover, for the views
   float hysteresis;   // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
   uint fadeFrames;    // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
-  uint reserved0;
-  uint reserved1;
+  float maxError;     // kTraitPrice: limit of the largest deviation, pixels; infinite: none
+  uint triangleBudget;  // kTraitPrice: triangles of a frame that the price is moved towards; 0: it stays
 };
 JAL_ASSERT_SIZE(CullView, 176)
 

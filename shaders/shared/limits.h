@@ -38,6 +38,17 @@ const float kSilhouetteShare = 0.5;
 /// less of a mostly occluded object does not change its level.
 const float kPixelGuard = 4.0;
 
+// One price (docs/lod_selection.md).
+/// Mean error from which a pixel of an object is as wrong as it can be, pixels.
+const float kErrorCap = 2.0;
+/// Price of a triangle at a tau of one pixel: pixels of area times pixels of error.
+const float kTrianglePrice = 1.0 / 64.0;
+/// A calm level is chosen for at least so many visible pixels: an object that shows none then need not change its level
+/// when its first pixels appear.
+const float kLeastCalmPixels = 16.0;
+/// Usual limit of the largest deviation, pixels.
+const float kDefaultMaxError = 8.0;
+
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times CullView.hysteresis, and the next coarser one's is above
 /// the budget divided by it. The usual margin.

@@ -26,9 +26,6 @@ layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]
 
 shared uint groupCounters[kObjectGroupSize];
 
-/// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
-uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
-
 void countTriangles(uint triangles) {
   for (uint limb = 0u; limb < 4u; ++limb)
     atomicAdd(groupCounters[kCounterTriangles + limb], (triangles >> (10u * limb)) & 1023u);

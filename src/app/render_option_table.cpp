@@ -152,7 +152,13 @@ std::vector<RenderOption> levelRows() {
       {"--relax", "relaxation", "times tau",
        "Limit how far --lod lv-error relaxes tau: tau grows with (visible share)^(-1/4), at most to 1 + RELAX times",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F},
-       "--lod lv-error", [](const Options& o) { return followsError(o) && rowOf(o.frameOptions.lodRule).followsLv; }},
+       "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
+      {"--max-error", "largest deviation", "pixels",
+       "Limit what any point of an object may deviate by where --lod price chooses by mean errors; an object without a "
+       "visible pixel is not limited unless --calm is given; 0 turns this off",
+       OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.maxError; }, 0.0F, 1000.0F},
+       "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
+       [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
   };
 }
 

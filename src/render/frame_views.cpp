@@ -2,6 +2,7 @@
 #include "render/frame_views.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/patch_base.h"
 
@@ -42,6 +43,7 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.occluderTau = options.occluderTau.value_or(rowOf(options.cullMode).occluderTau);
   view.minPixels = options.minPixels;
   view.relax = options.relax;
+  view.maxError = options.maxError > 0.0F ? options.maxError : std::numeric_limits<float>::infinity();
   view.calm = options.calm ? 1 : 0;
   view.measureCover = rowOf(options.view).measuresCover ? 1 : 0;
   view.hysteresis = options.hysteresis;

@@ -21,10 +21,8 @@ struct BoxOnScreen {
   bool outside = false;      ///< every corner lies beyond one plane of the clip volume
   bool crossesNear = false;  ///< some corner is not safely beyond the near plane: no finite rectangle
   glm::vec4 rect{0.0F};      ///< min.xy, max.xy in pixels, clipped to the viewport; valid unless outside or crossesNear
-  float nearestDepth = 0.0F;    ///< upper bound of the window depth of any point; valid unless crossesNear
-  Aabb boundsWorld;             ///< axis-aligned box of the transformed corners
-  glm::vec3 centerWorld{0.0F};  ///< bounding sphere
-  float radiusWorld = 0.0F;
+  float nearestDepth = 0.0F;  ///< upper bound of the window depth of any point; valid unless crossesNear
+  Aabb boundsWorld;           ///< axis-aligned box of the transformed corners
 };
 
 /// @param boundsObject   box in the object's frame

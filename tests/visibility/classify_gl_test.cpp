@@ -82,11 +82,10 @@ std::set<gpu::uint> plausibleVerdicts(const Bracket& bracket, const gpu::CullVie
   return verdicts;
 }
 
-/// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the difference of a distance and a radius.
+/// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the distance to the box.
 float scaleError(const Bracket& bracket, const gpu::CullView& view) {
-  const BoxOnScreen& box = bracket.boxes[1];
-  const float distance = glm::distance(glm::vec3(view.cameraWorld), box.centerWorld);
-  const float denominator = std::max(distance - box.radiusWorld, view.cameraWorld.w);
+  const float distance = distanceToBox(glm::vec3(view.cameraWorld), bracket.boxes[1].boundsWorld);
+  const float denominator = std::max(distance, view.cameraWorld.w);
   return kFewUlps + 2.0F * bracket.worldError / denominator;
 }
 

@@ -43,18 +43,25 @@ TEST(LodPolicy, DetailNeverGrowsWithHiddenness) {
 }
 
 TEST(PixelError, ProjectedScaleIsTheFormula) {
-  EXPECT_FLOAT_EQ(projectedScale(2.0F, 600.0F, 13.0F, 3.0F, 0.1F), 120.0F);
-  EXPECT_FLOAT_EQ(projectedScale(1.0F, 600.0F, 1.0F, 3.0F, 0.1F), 6000.0F) << "inside the sphere the near plane counts";
+  EXPECT_FLOAT_EQ(projectedScale(2.0F, 600.0F, 10.0F, 0.1F), 120.0F);
+  EXPECT_FLOAT_EQ(projectedScale(1.0F, 600.0F, 0.0F, 0.1F), 6000.0F) << "inside the box the near plane counts";
 }
 
 std::vector<gpu::Lod> levelsWithErrors(std::initializer_list<float> errors) {
   std::vector<gpu::Lod> levels;
   for (const float error : errors) {
     levels.emplace_back();
-    levels.back().errorObject = error;
+    levels.back().errorObject = levels.back().meanErrorObject = error;
     levels.back().triangleCount = 1U << (20 - levels.size());
   }
   return levels;
+}
+
+gpu::Lod patchBase(float error) {
+  gpu::Lod lod{};
+  lod.errorObject = lod.meanErrorObject = error;
+  lod.triangleCount = 100;
+  return lod;
 }
 
 TEST(PixelError, TakesTheCoarsestLevelWithinTau) {
@@ -114,11 +121,11 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   box.tau = 1.0F;
   gpu::uint marks = 0;
   gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
-  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, open, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, true, {}}, open, marks);
   EXPECT_EQ(open.lod, 1U);
   EXPECT_EQ(open.tessellation, 10U);
   gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
-  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, hidden, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, true, {}}, hidden, marks);
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
   EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
@@ -152,7 +159,7 @@ struct CalmObject {
     box.tau = tau;
     marks = gpu::kMarkKnown | gpu::kMarkRemembered | (marks & gpu::kMarkFadeMask);
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, state.lv};
-    chooseDetail(view, {levels, 40.0F, box.pixelsPerUnit, box.tau, seen, state}, next, marks);
+    chooseDetail(view, {levels, patchBase(40.0F), box.pixelsPerUnit, box.tau, area, seen, state}, next, marks);
     state = next;
   }
   bool switched() const { return (marks & gpu::kMarkSwitched) != 0; }
@@ -160,6 +167,7 @@ struct CalmObject {
   std::vector<gpu::Lod> levels = levelsWithErrors({0.0F, 1.0F, 2.0F, 4.0F, 8.0F});
   gpu::CullView view{};
   gpu::ScreenBox box{};
+  float area = 10000.0F;  // pixels
   gpu::ObjectState state{gpu::kVerdictPartial, 2, 5, -1.0F};
   gpu::uint marks = 0;
 };
@@ -232,8 +240,10 @@ TEST(Calm, AFadeEndsWithTheCalmFrames) {
     object.view.traits = traitsOf(rule.id);
     gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
-    chooseDetail(object.view, {object.levels, 40.0F, object.box.pixelsPerUnit, object.box.tau, true, object.state},
-                 next, marks);
+    chooseDetail(
+        object.view,
+        {object.levels, patchBase(40.0F), object.box.pixelsPerUnit, object.box.tau, object.area, true, object.state},
+        next, marks);
     EXPECT_EQ(fadeFrames(marks), 0U) << rule.name;
   }
 }
