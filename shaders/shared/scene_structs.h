@@ -63,9 +63,9 @@ struct Lod {
   uint sheetCount;  // indices of double-sided or masked triangles
   uint blendCount;  // indices of blended triangles
   int baseVertex;
-  uint triangleCount;  // (solidCount + sheetCount + blendCount) / 3
-  float errorObject;   // largest deviation from LOD 0, object-space length; of a patch base: its flat triangles from
-                       // its own curved surface. Infinite where unknown
+  uint triangleCount;     // (solidCount + sheetCount + blendCount) / 3
+  float errorObject;      // largest deviation from LOD 0, object-space length; of a patch base: its flat triangles from
+                          // its own curved surface. Infinite where unknown
   float meanErrorObject;  // mean deviation, ascending along the chain; errorObject where unknown
 };
 JAL_ASSERT_SIZE(Lod, 32)

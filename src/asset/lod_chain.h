@@ -59,8 +59,8 @@ struct LodInfo {
 
 /// Writes extras.jalousie of a level's mesh, keeping other extras.
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
-/// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, a mean above its maximum, unknown format
-/// version).
+/// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, a mean above its maximum, unknown
+/// format version).
 std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh);
 
 /// Makes node the LOD 0 of a chain. @param lowerNodes  nodes of LOD 1, 2, ...  @param coverage  one per level, LOD 0

@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kCountInterval = 4;
 struct FrameOptions : FramePolicy {
   float tau = 1.0F;     ///< screen-space error allowed, pixels; LodRule::kLvError allows partly occluded objects more
   float relax = 64.0F;  ///< LodRule::kLvError: tau grows to at most tau * (1 + relax)
-  /// LodRule::kPrice: no level is drawn whose largest deviation is more pixels, unless no pixel shows the object; 0: all
-  /// levels are allowed.
+  /// LodRule::kPrice: no level is drawn whose largest deviation is more pixels, unless no pixel shows the object; 0:
+  /// all levels are allowed.
   float maxError = gpu::kDefaultMaxError;
   float hysteresis = gpu::kDefaultHysteresis;      ///< calm: keep a level while tau * hysteresis and tau / hysteresis
                                                    ///< allow it; >= 1

@@ -78,8 +78,8 @@ bool isTestedLater(const gpu::CullView& view, gpu::uint verdict) {
 /// LV from the count of visible pixels. Where the price follows from them, an object with nothing in front of it is in
 /// full sight, however little of its rectangle it fills.
 float countedLv(const gpu::CullView& view, const History& history, float area) {
-  const bool fullSight = has(view.traits, gpu::kTraitPrice) && history.state.verdict == gpu::kVerdictOpen &&
-                         history.pixels > 0;
+  const bool fullSight =
+      has(view.traits, gpu::kTraitPrice) && history.state.verdict == gpu::kVerdictOpen && history.pixels > 0;
   return fullSight ? -1.0F : pixelsLv(static_cast<float>(history.pixels), area);
 }
 

@@ -96,8 +96,7 @@ std::uint32_t pricedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, c
   for (std::uint32_t level = 1; level < levels.size(); ++level) {
     const gpu::Lod& lod = levels[level];
     if (std::isinf(lod.meanErrorObject) || !(lod.errorObject * pixelsPerUnit <= price.maxError)) continue;
-    const float cost =
-        costAt(price, lod.meanErrorObject * pixelsPerUnit, static_cast<float>(lod.triangleCount));
+    const float cost = costAt(price, lod.meanErrorObject * pixelsPerUnit, static_cast<float>(lod.triangleCount));
     if (cost < leastCost) {
       leastCost = cost;
       best = level;
@@ -187,7 +186,8 @@ Price priceOf(const Budget& budget, float margin) {
 
 /// Level of the chain that the budget allows at tau * margin.
 std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
-  if (has(view.traits, gpu::kTraitPrice)) return pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin));
+  if (has(view.traits, gpu::kTraitPrice))
+    return pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin));
   return relaxedLod(object.levels, object.pixelsPerUnit, budget.tau * margin, budget.relaxed, budget.share);
 }
 
