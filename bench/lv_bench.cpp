@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
                        R"(WHAT chooses the measurement:
   worth         triangles, image error and frame time at the same camera
   measures      triangles and image error for every visibility measure
-  fit           triangles of --lod price at equal error, for several caps and kinds of the error, with the means over all
-                views and the price that has the error of one pixel; 640x360
+  fit           triangles of --lod price at equal error, for several caps and kinds of the error, with the means over
+                all views and the price that has the error of one pixel; 640x360
   calm          LOD switches on a path of 0.25 degrees per frame and under jitter, and the change that one switch makes
   calm-default  the same for the temporally stable configurations only
 With fit, a VIEW that ends in .glb or .gltf is another scene, and the next views are views of it.

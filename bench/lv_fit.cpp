@@ -40,9 +40,8 @@ struct Variant {
     return text + (maxError > 0.0F ? fmt::format(", --max-error {:g}", maxError) : "");
   }
 };
-constexpr Variant kVariants[] = {{true, 1, 0},      {true, 2, 0},  {true, 4, 0},  {true, 8, 0},
-                                 {true, kNoCap, 0}, {false, 2, 0}, {false, 8, 0}, {false, kNoCap, 0},
-                                 {true, 2, 4},      {true, 2, 8},  {true, 2, 16}};
+constexpr Variant kVariants[] = {{true, 1, 0},       {true, 2, 0},  {true, 8, 0}, {true, kNoCap, 0}, {false, 8, 0},
+                                 {false, kNoCap, 0}, {true, 2, 16}, {true, 2, 8}, {true, 2, 4}};
 
 /// A folder of its own, removed at the end.
 class Folder {
@@ -64,16 +63,21 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// The shaders with another kErrorCap. @param folder  gets the changed file
-gl::ShaderLibrary withCap(const std::filesystem::path& folder, float cap) {
-  constexpr const char* kFile = "shared/limits.h";
-  std::string text = gl::ShaderLibrary().text(kFile);
-  const std::string before = fmt::format("const float kErrorCap = {:.1f};", gpu::kErrorCap);
+/// Writes one shader file with a changed text into a folder.
+void replaceIn(const std::filesystem::path& folder, const char* file, const std::string& before,
+               const std::string& after) {
+  std::string text = gl::ShaderLibrary().text(file);
   const std::size_t at = text.find(before);
-  require(at != std::string::npos, fmt::format("{} has no line \"{}\"", kFile, before));
-  text.replace(at, before.size(), fmt::format("const float kErrorCap = {:.1f};", cap));
-  std::filesystem::create_directories((folder / kFile).parent_path());
-  std::ofstream(folder / kFile) << text;
+  require(at != std::string::npos, fmt::format("{} does not contain \"{}\"", file, before));
+  text.replace(at, before.size(), after);
+  std::filesystem::create_directories((folder / file).parent_path());
+  std::ofstream(folder / file) << text;
+}
+
+/// The shaders of a variant. @param folder  gets the changed files
+gl::ShaderLibrary shadersOf(const Variant& variant, const std::filesystem::path& folder) {
+  replaceIn(folder, "shared/limits.h", fmt::format("const float kErrorCap = {:.1f};", gpu::kErrorCap),
+            fmt::format("const float kErrorCap = {:.1f};", variant.cap));
   return gl::ShaderLibrary(folder);
 }
 
@@ -105,7 +109,7 @@ nlohmann::ordered_json orNull(double value) {
 std::vector<Sample> sweepOf(const LvView& view, const scene::SceneData& largest, const Variant& variant,
                             const ImageRgba8& reference) {
   const Folder folder;
-  const gl::ShaderLibrary shaders = withCap(folder.path(), variant.cap);
+  const gl::ShaderLibrary shaders = shadersOf(variant, folder.path());
   render::FrameRenderer renderer(variant.mean ? view.scene : largest, kWidth, kHeight, {.shaders = &shaders});
   Stage stage{renderer, view.camera(), reference};
   render::FrameOptions options = optionsOf(kPriced, 1.0F);

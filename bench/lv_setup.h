@@ -58,8 +58,8 @@ ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOpti
 /// @param allMeasures  every visibility measure instead of times
 void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& figures);
 
-/// Triangles of the rule `price` at equal error over those of kUniform, for several caps and limits of the error and for
-/// mean and largest errors, at one camera. Adds one row per variant.
+/// Triangles of the rule `price` at equal error over those of kUniform, for several caps and limits of the error and
+/// for mean and largest errors, at one camera. Adds one row per variant.
 void measureFit(const LvView& view, nlohmann::ordered_json& figures);
 /// Prints the rows of measureFit: one per variant, with the geometric means over all views.
 void printFit(const nlohmann::ordered_json& figures);

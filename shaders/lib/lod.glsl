@@ -1,6 +1,9 @@
 // Chooses the level of detail from the level of visibility and the size on the screen. Include a file with CullView,
 // chains and lods before. CPU twin: src/visibility/lod_policy.cpp
 
+/// Of the last frame, with a budget of triangles.
+layout(std140, binding = kBindingPrice) uniform PriceBlock { PriceState priceState; };
+
 /// Occluded share in [0, 1]: 0 fully visible, 1 fully occluded. LV can lie below -1 and is clamped.
 float hiddenShare(float lv) { return (clamp(lv, -1.0, 1.0) + 1.0) * 0.5; }
 
@@ -165,9 +168,17 @@ struct Budget {
   float maxError;  // limit of the largest deviation, pixels
 };
 
+/// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
+/// over all directions (Cauchy), and less where parts of it hide others.
+bool isThin(DetailInput object) {
+  float surfacePixels = object.chain.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
+  return 0.25 * surfacePixels < kThinShare * object.area;
+}
+
 Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
   Budget budget = Budget(object.tau, hasTrait(kTraitFollowsLv) ? relaxedBudget(lv, cullView.relax) : 1.0,
                          visibleShare(lv), visiblePixels(lv, object.area), cullView.maxError);
+  if (isThin(object)) budget.maxError = min(budget.maxError, object.tau);
   if (calm) {
     budget.relaxed = min(budget.relaxed, kMostCalmRelaxed);
     budget.share = max(budget.share, kLeastCalmShare);
@@ -181,7 +192,8 @@ Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
 Price priceOf(Budget budget, float margin) {
   float tau = budget.tau * margin;
-  return Price(budget.pixels, kTrianglePrice * tau * tau, budget.maxError * min(margin, 1.0));
+  float factor = cullView.triangleBudget > 0u ? exp(priceState.logFactor) : 1.0;
+  return Price(budget.pixels, kTrianglePrice * tau * tau * factor, budget.maxError * min(margin, 1.0));
 }
 
 /// Level of the chain that the budget allows at tau * margin.

@@ -38,6 +38,15 @@ struct CullView {
 };
 JAL_ASSERT_SIZE(CullView, 176)
 
+/// What moves the price of a triangle towards a budget from frame to frame (adjust_price.comp).
+struct PriceState {
+  float logFactor;  // logarithm of the factor of kTrianglePrice
+  float gain;       // step of logFactor per unit of lastError
+  float lastError;  // logarithm of triangles over budget in the last frame
+  uint reserved0;
+};
+JAL_ASSERT_SIZE(PriceState, 16)
+
 /// One draw list; std140 uniform block, written once.
 struct ListView {
   uint phase;  // kMarkEarly or kMarkLate

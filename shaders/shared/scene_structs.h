@@ -35,8 +35,8 @@ struct Chain {
   uint binCount;    // 2 per level: plain and mirrored; at least 4 where there is a patch base
   uint firstEntry;  // of the chain's counts, [binCount][tileCount] in the array that the prefix sum runs over
   uint tileCount;
+  float surfaceObject;  // area of LOD 0, square of an object-space length
   uint reserved0;
-  uint reserved1;
 };
 JAL_ASSERT_SIZE(Chain, 64)
 

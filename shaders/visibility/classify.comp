@@ -87,18 +87,11 @@ uint marksOf(History history) {
 /// Whether analyse.comp will test the object.
 bool isTestedLater(uint verdict) { return verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion); }
 
-/// LV from the count of visible pixels. Where the price follows from them, an object with nothing in front of it is in
-/// full sight, however little of its rectangle it fills.
-float countedLv(History history, float area) {
-  bool fullSight = hasTrait(kTraitPrice) && history.state.verdict == kVerdictOpen && history.pixels > 0u;
-  return fullSight ? -1.0 : pixelsLv(float(history.pixels), area);
-}
-
 /// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
 float lvBeforeTest(History history, uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0;
   if (history.counted) {
-    float lv = countedLv(history, area);
+    float lv = pixelsLv(float(history.pixels), area);
     return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
   if (history.remembered && hasTrait(kTraitLvPixels)) {

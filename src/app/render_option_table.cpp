@@ -153,6 +153,13 @@ std::vector<RenderOption> levelRows() {
        "Limit how far --lod lv-error relaxes tau: tau grows with (visible share)^(-1/4), at most to 1 + RELAX times",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F},
        "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
+      {"--triangles", "triangle budget", "triangles",
+       "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
+       "allow; 0 turns this off and leaves the price to --tau",
+       OptionGroup::kDetail,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
+       "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
+       [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
       {"--max-error", "largest deviation", "pixels",
        "Limit what any point of an object may deviate by where --lod price chooses by mean errors; an object without a "
        "visible pixel is not limited unless --calm is given; 0 turns this off",

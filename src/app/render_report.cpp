@@ -56,7 +56,10 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   if (followsTau(options)) json["tau"] = options.frameOptions.tau;
   const LodRuleRow& rule = rowOf(options.frameOptions.lodRule);
   if (relaxesTau(rule)) json["relax"] = options.frameOptions.relax;
-  if (rule.pricesTriangles) json["max_error"] = options.frameOptions.maxError;
+  if (rule.pricesTriangles) {
+    json["max_error"] = options.frameOptions.maxError;
+    json["triangle_budget"] = options.frameOptions.triangleBudget;
+  }
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);

@@ -28,6 +28,9 @@ struct FrameOptions : FramePolicy {
   /// LodRule::kPrice: no level is drawn whose largest deviation is more pixels, unless no pixel shows the object; 0:
   /// all levels are allowed.
   float maxError = gpu::kDefaultMaxError;
+  /// LodRule::kPrice: the price is moved from frame to frame so that a frame has this many triangles; 0: the price
+  /// follows from tau alone. tau still says how the error of important regions is weighed.
+  gpu::uint triangleBudget = 0;
   float hysteresis = gpu::kDefaultHysteresis;      ///< calm: keep a level while tau * hysteresis and tau / hysteresis
                                                    ///< allow it; >= 1
   gpu::uint fadeFrames = gpu::kDefaultFadeFrames;  ///< calm: frames of a cross-fade, <= kMaxFadeFrames; 0: none

@@ -44,6 +44,7 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.minPixels = options.minPixels;
   view.relax = options.relax;
   view.maxError = options.maxError > 0.0F ? options.maxError : std::numeric_limits<float>::infinity();
+  view.triangleBudget = rowOf(options.lodRule).pricesTriangles ? options.triangleBudget : 0;
   view.calm = options.calm ? 1 : 0;
   view.measureCover = rowOf(options.view).measuresCover ? 1 : 0;
   view.hysteresis = options.hysteresis;

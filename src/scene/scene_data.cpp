@@ -48,6 +48,18 @@ gpu::Material makeMaterial(const asset::Material& material, std::span<const Text
   return result;
 }
 
+/// Area of all triangles, object space.
+double surfaceOf(const Primitive& primitive) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const glm::dvec3 a(primitive.positions[primitive.indices[i]]);
+    const glm::dvec3 b(primitive.positions[primitive.indices[i + 1]]);
+    const glm::dvec3 c(primitive.positions[primitive.indices[i + 2]]);
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
+}
+
 /// Mean deviation of a level, at most its largest one, which counts where the file states no mean.
 float meanErrorOf(const asset::LodLevel& level) {
   return std::min(level.meanErrorObject.value_or(level.errorObject), level.errorObject);
@@ -65,6 +77,7 @@ class Builder {
     reserve();
     meshLods_.resize(file_.meshes.size());
     meshBounds_.resize(file_.meshes.size());
+    meshSurfaces_.resize(file_.meshes.size());
     for (std::size_t m = 0; m < file_.meshes.size(); ++m)
       addMesh(m);
     for (const asset::Chain& chain : file_.chains)
@@ -141,9 +154,11 @@ class Builder {
 
   void addMesh(std::size_t m) {
     meshLods_[m] = appendMesh(file_.meshes[m], nullptr);
-    for (const Primitive& primitive : file_.meshes[m].primitives)
+    for (const Primitive& primitive : file_.meshes[m].primitives) {
       for (const std::uint32_t index : primitive.indices)
         meshBounds_[m].add(primitive.positions[index]);
+      meshSurfaces_[m] += surfaceOf(primitive);
+    }
   }
 
   /// Averages normals over all primitives of the mesh, so that seams between materials stay closed too.
@@ -189,6 +204,7 @@ class Builder {
       scene_.lods.push_back(lod);
       bounds.add(meshBounds_[level.mesh]);
     }
+    result.surfaceObject = static_cast<float>(meshSurfaces_[chain.levels.front().mesh]);
     result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
     if (options_.patches) {
       scene_.lods.push_back(addPatchBase(file_.meshes[chain.levels.back().mesh], bounds));
@@ -224,6 +240,7 @@ class Builder {
   SceneData scene_;
   std::vector<gpu::Lod> meshLods_;
   std::vector<Aabb> meshBounds_;
+  std::vector<double> meshSurfaces_;  ///< object space
 };
 
 }  // namespace

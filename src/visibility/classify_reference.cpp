@@ -75,19 +75,11 @@ bool isTestedLater(const gpu::CullView& view, gpu::uint verdict) {
   return verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
 }
 
-/// LV from the count of visible pixels. Where the price follows from them, an object with nothing in front of it is in
-/// full sight, however little of its rectangle it fills.
-float countedLv(const gpu::CullView& view, const History& history, float area) {
-  const bool fullSight =
-      has(view.traits, gpu::kTraitPrice) && history.state.verdict == gpu::kVerdictOpen && history.pixels > 0;
-  return fullSight ? -1.0F : pixelsLv(static_cast<float>(history.pixels), area);
-}
-
 /// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
 float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0F;
   if (history.counted) {
-    const float lv = countedLv(view, history, area);
+    const float lv = pixelsLv(static_cast<float>(history.pixels), area);
     return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
   if (history.remembered && has(view.traits, gpu::kTraitLvPixels)) {
@@ -225,6 +217,7 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
     const bool seen = history.known && (!history.counted || history.pixels > 0);
     DetailInput input = detailInput(scene, chain, result.box, seen, history.state);
     input.area = size.x * size.y;
+    input.priceFactor = last.priceFactor;
     chooseDetail(view, input, result.state, result.marks);
   }
   return result;

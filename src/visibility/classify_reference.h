@@ -56,7 +56,8 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits);
 struct LastFrame {
   gpu::ObjectState state{};
   gpu::uint marks = 0;
-  gpu::uint pixels = 0;  ///< visible ones, when they were last counted
+  gpu::uint pixels = 0;      ///< visible ones, when they were last counted
+  float priceFactor = 1.0F;  ///< of all objects: priceFactor() after that frame
 };
 
 /// What the kernel writes for one object. @param importance  null: no mask

@@ -148,6 +148,8 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
           box.pixelsPerUnit,
           box.tau,
           (box.maxX - box.minX) * (box.maxY - box.minY),
+          chain.surfaceObject,
+          1.0F,
           seen,
           last};
 }
@@ -161,13 +163,23 @@ struct Budget {
   float share;     ///< visible share
   float pixels;    ///< visible pixels
   float maxError;  ///< limit of the largest deviation, pixels
+  float priceFactor;
 };
+
+/// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
+/// over all directions (Cauchy), and less where parts of it hide others.
+bool isThin(const DetailInput& object) {
+  const float surfacePixels = object.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
+  return 0.25F * surfacePixels < gpu::kThinShare * object.area;
+}
 
 /// @param calm  the level follows the budget with hysteresis   @param counted  the object's pixels have been counted
 Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, bool calm, bool counted) {
   const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);
-  Budget budget{object.tau, followsLv ? relaxedBudget(lv, view.relax) : 1.0F, visibleShare(lv),
-                visiblePixels(lv, object.area), view.maxError};
+  Budget budget{object.tau,       followsLv ? relaxedBudget(lv, view.relax) : 1.0F,
+                visibleShare(lv), visiblePixels(lv, object.area),
+                view.maxError,    object.priceFactor};
+  if (isThin(object)) budget.maxError = std::min(budget.maxError, object.tau);
   if (calm) {
     budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed);
     budget.share = std::max(budget.share, gpu::kLeastCalmShare);
@@ -181,7 +193,8 @@ Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, 
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
 Price priceOf(const Budget& budget, float margin) {
   const float tau = budget.tau * margin;
-  return {budget.pixels, gpu::kTrianglePrice * tau * tau, budget.maxError * std::min(margin, 1.0F)};
+  return {budget.pixels, gpu::kTrianglePrice * tau * tau * budget.priceFactor,
+          budget.maxError * std::min(margin, 1.0F)};
 }
 
 /// Level of the chain that the budget allows at tau * margin.

@@ -91,6 +91,8 @@ struct DetailInput {
   float pixelsPerUnit = 0.0F;        ///< as gpu::ScreenBox
   float tau = 0.0F;                  ///< as gpu::ScreenBox
   float area = 0.0F;                 ///< of the bounding rectangle, pixels; of the screen if there is no rectangle
+  float surfaceObject = 0.0F;        ///< as gpu::Chain
+  float priceFactor = 1.0F;          ///< of kTrianglePrice, from the budget of triangles
   bool seen = false;                 ///< a pixel of the last frame showed the object, or no count says
   gpu::ObjectState last{};           ///< of the last frame, where the marks have kMarkKnown or kMarkRemembered
 };

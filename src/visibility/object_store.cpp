@@ -2,6 +2,7 @@
 #include "visibility/object_store.h"
 
 #include "shared/frame_structs.h"
+#include "visibility/price_control.h"
 #include "visibility/storage.h"
 
 namespace jalousie::visibility {
@@ -10,10 +11,14 @@ ObjectStore::ObjectStore(std::uint32_t count)
       states(makeStorage(sizeof(gpu::ObjectState) * count, GL_DYNAMIC_STORAGE_BIT, "object states")),
       boxes(makeStorage(sizeof(gpu::ScreenBox) * count, GL_DYNAMIC_STORAGE_BIT, "screen boxes")),
       marks(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "object marks")),
-      pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")) {}
+      pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")),
+      price(sizeof(gpu::PriceState), GL_DYNAMIC_STORAGE_BIT, "price") {
+  price.writeValue(firstPrice());
+}
 
 void ObjectStore::forget() {
   marks.clear();
+  price.writeValue(firstPrice());
 }
 
 }  // namespace jalousie::visibility

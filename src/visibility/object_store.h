@@ -13,7 +13,7 @@ struct ObjectStore {
   /// All zero: no history. Allocates everything; nothing is allocated later. Errors: kLimit.
   explicit ObjectStore(std::uint32_t objectCount);
 
-  /// Forgets what was visible in the last frame.
+  /// Forgets what was visible in the last frame, and the price.
   void forget();
 
   std::uint32_t objectCount;
@@ -21,6 +21,7 @@ struct ObjectStore {
   gl::Buffer boxes;          ///< gpu::ScreenBox [objectCount]
   gl::Buffer marks;          ///< kMark... [objectCount]
   gl::Buffer pixelCounts;    ///< gpu::uint [objectCount]: visible pixels at the last count
+  gl::Buffer price;          ///< gpu::PriceState, moved where a frame has a budget of triangles
   bool countsValid = false;  ///< pixelCounts were made in the last frame
 };
 

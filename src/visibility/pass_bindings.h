@@ -22,6 +22,7 @@ struct ObjectBuffers {
   const gl::Buffer* states = nullptr;  ///< gpu::ObjectState [objectCount]
   const gl::Buffer* boxes = nullptr;   ///< gpu::ScreenBox [objectCount]
   const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
+  const gl::Buffer* price = nullptr;   ///< gpu::PriceState, which StatisticsPass moves
 };
 
 /// The textures of the overlap test; which of them it reads depends on the traits of the mode.

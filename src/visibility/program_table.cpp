@@ -24,6 +24,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"count states", {"visibility/count_states.comp"}, {}},
       {"count pixels", {"visibility/count_pixels.comp"}, {}},
       {"mark ghosts", {"visibility/mark_ghosts.comp"}, {}},
+      {"adjust price", {"visibility/adjust_price.comp"}, {}},
   };
   return kPrograms;
 }

@@ -27,6 +27,7 @@ enum class ProgramId : unsigned {
   kCountStates,
   kCountPixels,
   kMarkGhosts,
+  kAdjustPrice,
 };
 
 /// All programs, in the order of ProgramId.

@@ -22,6 +22,7 @@ constexpr GLbitfield kMapFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT;
 
 StatisticsPass::StatisticsPass(const gl::ShaderLibrary& shaders)
     : countProgram_(programSource(ProgramId::kCountStates), shaders),
+      adjustProgram_(programSource(ProgramId::kAdjustPrice), shaders),
       counters_(sizeof(FrameCounters), 0, "frame counters"),
       mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
       memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}
@@ -37,22 +38,10 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   ++frame_;
   const std::size_t index = frame_ % slots_.size();
   Slot& slot = slots_[index];
-  if (slot.fence != nullptr && !collect(slot, index, 0)) return;
-  if (view.objectCount > 0) {
-    counters_.clear();
-    countProgram_.use();
-    decided.view->bindUniform(gpu::kBindingCullView);
-    counters_.bindStorage(gpu::kBindingCounters);
-    scene.objects->bindStorage(gpu::kBindingObjects);
-    scene.chains->bindStorage(gpu::kBindingChains);
-    scene.lods->bindStorage(gpu::kBindingLods);
-    decided.states->bindStorage(gpu::kBindingStates);
-    decided.marks->bindStorage(gpu::kBindingMarks);
-    (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
-    late.slots().bindStorage(gpu::kBindingLateSlots);
-    dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  }
+  const bool hasRoom = slot.fence == nullptr || collect(slot, index, 0);
+  if (hasRoom || view.triangleBudget > 0) count(scene, decided, view, early != nullptr ? *early : late, late);
+  if (view.triangleBudget > 0) adjustPrice(decided);
+  if (!hasRoom) return;
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);
   constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
   constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
@@ -64,6 +53,33 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   slot.frame = frame_;
   slot.view = view;
   slot.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void StatisticsPass::count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
+                           const DrawList& early, const DrawList& late) {
+  if (view.objectCount == 0) return;
+  counters_.clear();
+  countProgram_.use();
+  decided.view->bindUniform(gpu::kBindingCullView);
+  counters_.bindStorage(gpu::kBindingCounters);
+  scene.objects->bindStorage(gpu::kBindingObjects);
+  scene.chains->bindStorage(gpu::kBindingChains);
+  scene.lods->bindStorage(gpu::kBindingLods);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.marks->bindStorage(gpu::kBindingMarks);
+  early.slots().bindStorage(gpu::kBindingEarlySlots);
+  late.slots().bindStorage(gpu::kBindingLateSlots);
+  dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void StatisticsPass::adjustPrice(const ObjectBuffers& decided) {
+  adjustProgram_.use();
+  decided.view->bindUniform(gpu::kBindingCullView);
+  counters_.bindStorage(gpu::kBindingCounters);
+  decided.price->bindStorage(gpu::kBindingPriceState);
+  glDispatchCompute(1, 1, 1);
+  glMemoryBarrier(GL_UNIFORM_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs) {

@@ -91,6 +91,7 @@ void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& s
   if (objects_.objectCount == 0) return;
   program.use();
   view_.bindUniform(gpu::kBindingCullView);
+  objects_.price.bindUniform(gpu::kBindingPrice);
   scene.transforms->bindStorage(gpu::kBindingTransforms);
   scene.objects->bindStorage(gpu::kBindingObjects);
   scene.chains->bindStorage(gpu::kBindingChains);

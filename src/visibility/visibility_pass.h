@@ -34,7 +34,9 @@ class VisibilityPass {
   /// drawn.
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
   void countPixels(const gl::Texture& items);
-  ObjectBuffers decided() const { return {&view_, &objects_.states, &objects_.boxes, &objects_.marks}; }
+  ObjectBuffers decided() const {
+    return {&view_, &objects_.states, &objects_.boxes, &objects_.marks, &objects_.price};
+  }
 
  private:
   void dispatch(const gl::Program& program, const SceneBindings& scene) const;
