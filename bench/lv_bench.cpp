@@ -8,6 +8,21 @@
 #include "gl_bench.h"
 #include "lv_setup.h"
 
+namespace jalousie::bench {
+namespace {
+
+void measure(const std::string& what, const LvView& view, nlohmann::ordered_json& figures) {
+  if (what == "fit")
+    measureFit(view, figures);
+  else if (what.starts_with("calm"))
+    measureCalm(view, what == "calm-default", figures);
+  else
+    measureWorth(view, what == "measures", figures);
+}
+
+}  // namespace
+}  // namespace jalousie::bench
+
 int main(int argc, char** argv) {
   using namespace jalousie;
   std::string what;
@@ -49,13 +64,7 @@ Examples:
         data = std::make_unique<scene::SceneData>(scene::buildScene(asset::readSceneFile(scene)));
         continue;
       }
-      const bench::LvView chosen{*data, scene, view};
-      if (what == "fit")
-        bench::measureFit(chosen, figures);
-      else if (what.starts_with("calm"))
-        bench::measureCalm(chosen, what == "calm-default", figures);
-      else
-        bench::measureWorth(chosen, what == "measures", figures);
+      bench::measure(what, {*data, scene, view}, figures);
     }
     if (what == "fit") bench::printFit(figures);
   });

@@ -117,34 +117,42 @@ std::vector<Sample> sweepOf(const LvView& view, const scene::SceneData& largest,
   return stage.sweep(options, kPriceTaus, kPriced.name);
 }
 
-void addRow(const LvView& view, const std::string& variant, const std::vector<Sample>& samples,
-            const std::vector<Sample>& uniform, nlohmann::ordered_json& figures) {
-  const double price = priceAt(samples, uniform[kOnePixel].psnr);
-  figures.push_back({{"scene", view.sceneName},
-                     {"view", view.text},
-                     {"variant", variant},
-                     {"triangles_at_equal_psnr", orNull(ratioAtEqualError(samples, uniform, uniform))},
-                     {"triangles_at_equal_ssim", orNull(ratioAtEqualError(samples, uniform, uniform, &Sample::ssim))},
-                     {"price_at_equal_psnr", orNull(price)}});
-  const nlohmann::ordered_json& row = figures.back();
-  std::fprintf(stderr, "%s\n", row.dump().c_str());
-}
+/// The sweeps of one view, against which its variants are measured.
+struct ViewFit {
+  const LvView& view;
+  std::vector<Sample> uniform;
+  nlohmann::ordered_json& figures;
+
+  /// @param price  kTrianglePrice at which a tau of one pixel has the PSNR of `uniform` there; NaN if there is none
+  void addRow(const std::string& variant, const std::vector<Sample>& samples, double price) const {
+    figures.push_back({{"scene", view.sceneName},
+                       {"view", view.text},
+                       {"variant", variant},
+                       {"triangles_at_equal_psnr", orNull(ratioAtEqualError(samples, uniform, uniform))},
+                       {"triangles_at_equal_ssim", orNull(ratioAtEqualError(samples, uniform, uniform, &Sample::ssim))},
+                       {"price_at_equal_psnr", orNull(price)}});
+    const nlohmann::ordered_json& row = figures.back();
+    std::fprintf(stderr, "%s\n", row.dump().c_str());
+  }
+};
 
 }  // namespace
 
 void measureFit(const LvView& view, nlohmann::ordered_json& figures) {
-  std::vector<Sample> uniform;
+  ViewFit fit{view, {}, figures};
   ImageRgba8 reference;
   {
     render::FrameRenderer renderer(view.scene, kWidth, kHeight);
     Stage stage{renderer, view.camera(), {}};
     reference = stage.reference = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
-    uniform = stage.sweep(optionsOf(kUniform, 1.0F), kTaus, kUniform.name);
-    addRow(view, kDefault.name, stage.sweep(optionsOf(kDefault, 1.0F), kTaus, kDefault.name), uniform, figures);
+    fit.uniform = stage.sweep(optionsOf(kUniform, 1.0F), kTaus, kUniform.name);
+    fit.addRow(kDefault.name, stage.sweep(optionsOf(kDefault, 1.0F), kTaus, kDefault.name), std::nan(""));
   }
   const scene::SceneData largest = withLargestErrors(view.scene);
-  for (const Variant& variant : kVariants)
-    addRow(view, variant.name(), sweepOf(view, largest, variant, reference), uniform, figures);
+  for (const Variant& variant : kVariants) {
+    const std::vector<Sample> samples = sweepOf(view, largest, variant, reference);
+    fit.addRow(variant.name(), samples, priceAt(samples, fit.uniform[kOnePixel].psnr));
+  }
 }
 
 void printFit(const nlohmann::ordered_json& figures) {
@@ -179,7 +187,7 @@ void printFit(const nlohmann::ordered_json& figures) {
       double sum = 0.0;
       for (const double one : all)
         sum += one;
-      fmt::print(" {:.3f} |", std::exp(sum / static_cast<double>(all.size())));
+      fmt::print(" {} |", all.empty() ? "-" : fmt::format("{:.3f}", std::exp(sum / static_cast<double>(all.size()))));
     }
   }
   fmt::print("\n");
