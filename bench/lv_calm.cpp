@@ -184,8 +184,13 @@ void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figu
     LvConfiguration configuration;
     bool calm;
   };
-  for (const Row& row :
-       {Row{kThesis, false}, {kUniform, false}, {kUniform, true}, {kDefault, false}, {kDefault, true}}) {
+  for (const Row& row : {Row{kThesis, false},
+                         {kUniform, false},
+                         {kUniform, true},
+                         {kDefault, false},
+                         {kDefault, true},
+                         {kPriced, false},
+                         {kPriced, true}}) {
     if (calmOnly && !row.calm) continue;
     render::FrameRenderer renderer(view.scene, kLvWidth, kLvHeight);
     const Run run{renderer, optionsOf(row.configuration, 1.0F, row.calm), view.camera(),

@@ -27,6 +27,7 @@ constexpr LvConfiguration kMeasures[] = {
 const LvConfiguration kUniform = {"hiz + pixel-error", CullMode::kHiz, LodRule::kPixelError, LvMeasure::kNone};
 const LvConfiguration kFrustum = {"frustum + pixel-error", CullMode::kFrustum, LodRule::kPixelError, LvMeasure::kNone};
 const LvConfiguration kDefault = {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels};
+const LvConfiguration kPriced = {"hiz + price, pixels", CullMode::kHiz, LodRule::kPrice, LvMeasure::kPixels};
 const LvConfiguration kThesis = {"hom + thesis", CullMode::kHom, LodRule::kLinear, LvMeasure::kThesis};
 const std::span<const LvConfiguration> kOtherMeasures = kMeasures;
 

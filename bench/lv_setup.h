@@ -1,4 +1,4 @@
-// Configurations and views that lv_bench measures, and its two measurements.
+// Configurations and views that lv_bench measures, and its measurements.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,8 @@ struct LvConfiguration {
 extern const LvConfiguration kUniform;
 extern const LvConfiguration kFrustum;
 extern const LvConfiguration kDefault;
+/// One price of a triangle for all objects.
+extern const LvConfiguration kPriced;
 /// The method of the thesis as published.
 extern const LvConfiguration kThesis;
 /// The default's rule with every other visibility measure.
@@ -55,6 +57,12 @@ ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOpti
 /// Triangles, image error and frame time at one camera, against both baselines. Prints a table and adds its rows.
 /// @param allMeasures  every visibility measure instead of times
 void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& figures);
+
+/// Triangles of the rule `price` at equal error over those of kUniform, for several caps and limits of the error and
+/// for mean and largest errors, at one camera. Adds one row per variant.
+void measureFit(const LvView& view, nlohmann::ordered_json& figures);
+/// Prints the rows of measureFit: one per variant, with the geometric means over all views.
+void printFit(const nlohmann::ordered_json& figures);
 
 /// LOD switches on a path of 0.25 degrees per frame and under jitter, and the change that one switch makes. Prints a
 /// table and adds its rows. @param calmOnly  only temporally stable configurations

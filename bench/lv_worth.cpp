@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -12,75 +11,13 @@
 #include "core/median.h"
 #include "gl_bench.h"
 #include "lv_setup.h"
+#include "lv_sweep.h"
 
 namespace jalousie::bench {
 namespace {
 
-constexpr std::array kTaus = {8.0F, 4.0F, 2.0F, 1.0F, 0.5F, 0.25F, 0.125F};  // pixels
-constexpr std::size_t kOnePixel = 3;                                         // index of tau = 1
 constexpr double kMostTriangles = 2e7;  // from here on, a frame takes minutes on a software renderer
 constexpr int kRounds = 7;
-
-struct Sample {
-  double triangles = 0.0;
-  double psnr = 0.0;  ///< dB
-  double ssim = 0.0;
-};
-
-/// A renderer, a camera and the picture with every object at its finest level.
-struct Stage {
-  render::FrameRenderer& renderer;
-  scene::Camera camera;
-  ImageRgba8 reference;
-
-  Sample sample(const render::FrameOptions& options) {
-    const ImageRgba8 image = settledImage(renderer, options, camera);
-    const render::FrameStatistics statistics = renderer.readStatistics();
-    requireCounts(statistics, "a sample");
-    return {static_cast<double>(statistics.triangles), compare::psnr(reference, image),
-            compare::ssim(reference, image)};
-  }
-
-  /// Samples of a configuration over kTaus, finest last; the finest ones are left out where they cost too much.
-  std::vector<Sample> sweep(const LvConfiguration& configuration) {
-    std::vector<Sample> samples;
-    for (const float tau : kTaus) {
-      samples.push_back(sample(optionsOf(configuration, tau)));
-      if (samples.size() > kOnePixel + 1 && samples.back().triangles > kMostTriangles) break;
-    }
-    require(samples.back().psnr >= samples.front().psnr,
-            fmt::format("{}: the error grows where tau falls", configuration.name));
-    return samples;
-  }
-};
-
-/// Triangles at which a sweep reaches an error: the logarithm of the triangles is interpolated linearly between
-/// samples. Below its range the cheapest sample counts; above it the result is NaN.
-double trianglesAt(const std::vector<Sample>& samples, double psnr) {
-  if (psnr <= samples.front().psnr) return samples.front().triangles;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const Sample& a = samples[i - 1];
-    const Sample& b = samples[i];
-    if (psnr > b.psnr || std::isinf(b.psnr)) continue;
-    const double t = (psnr - a.psnr) / std::max(b.psnr - a.psnr, 1e-9);
-    return std::exp(std::log(a.triangles) + t * (std::log(b.triangles) - std::log(a.triangles)));
-  }
-  return std::nan("");
-}
-
-/// Mean ratio of triangles at equal error, over the errors that `levels` has at a tau of 2, 1, 0.5 and 0.25.
-double ratioAtEqualError(const std::vector<Sample>& samples, const std::vector<Sample>& base,
-                         const std::vector<Sample>& levels) {
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t i = kOnePixel - 1; i <= kOnePixel + 2 && i < levels.size(); ++i) {
-    const double ratio = std::log(trianglesAt(samples, levels[i].psnr) / trianglesAt(base, levels[i].psnr));
-    if (std::isnan(ratio)) continue;
-    sum += ratio;
-    ++count;
-  }
-  return count > 0 ? std::exp(sum / count) : std::nan("");
-}
 
 double frameMs(render::FrameRenderer& renderer) {
   double sum = 0.0;
@@ -173,9 +110,12 @@ void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& 
   Stage stage{renderer, view.camera(), {}};
   stage.reference = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
   requireReference(stage);
-  const std::vector<Sample> uniform = stage.sweep(kUniform);
-  const std::vector<Sample> frustum = stage.sweep(kFrustum);
-  const std::vector<Sample> own = stage.sweep(kDefault);
+  const auto sweep = [&](const LvConfiguration& configuration) {
+    return stage.sweep(optionsOf(configuration, 1.0F), kTaus, configuration.name);
+  };
+  const std::vector<Sample> uniform = sweep(kUniform);
+  const std::vector<Sample> frustum = sweep(kFrustum);
+  const std::vector<Sample> own = sweep(kDefault);
   const Sample thesis = stage.sample(optionsOf(kThesis, 1.0F));
   printHead(view);
 
@@ -198,14 +138,15 @@ void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& 
        {Row{atOnePixel(kFrustum), frustum[kOnePixel], times[1] / times[0], ratioAtEqualError(frustum, uniform, uniform),
             1.0},
         Row{atOnePixel(kUniform), uniform[kOnePixel], 1.0, 1.0, ratioAtEqualError(uniform, frustum, uniform)},
-        Row{kThesis.name, thesis, times[4] / times[0], thesis.triangles / trianglesAt(uniform, thesis.psnr),
-            thesis.triangles / trianglesAt(frustum, thesis.psnr)},
+        Row{kThesis.name, thesis, times[4] / times[0],
+            thesis.triangles / trianglesAt(uniform, &Sample::psnr, thesis.psnr),
+            thesis.triangles / trianglesAt(frustum, &Sample::psnr, thesis.psnr)},
         Row{atOnePixel(kDefault), own[kOnePixel], times[2] / times[0], toUniform, toFrustum},
         Row{fmt::format("the same, tau {}", kTaus[nearest]), own[nearest], times[3] / times[0], toUniform, toFrustum}})
     add(view, row, figures);
   if (!allMeasures) return;
   for (const LvConfiguration& other : kOtherMeasures) {
-    const std::vector<Sample> samples = stage.sweep(other);
+    const std::vector<Sample> samples = sweep(other);
     add(view,
         {atOnePixel(other), samples[kOnePixel], std::nan(""), ratioAtEqualError(samples, uniform, uniform),
          ratioAtEqualError(samples, frustum, uniform)},

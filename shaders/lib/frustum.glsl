@@ -12,8 +12,6 @@ struct BoxOnScreen {
   float nearestDepth; // upper bound of the window depth; valid unless crossesNear
   vec3 minWorld;      // axis-aligned world box of the transformed corners
   vec3 maxWorld;
-  vec3 centerWorld;   // bounding sphere
-  float radiusWorld;
 };
 
 vec3 boxCorner(vec3 lower, vec3 upper, uint corner) {
@@ -43,8 +41,6 @@ BoxOnScreen boxOnScreen(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld,
   BoxOnScreen result;
   result.minWorld = vec3(kInfinity);
   result.maxWorld = vec3(-kInfinity);
-  result.centerWorld = transformPoint(t, 0.5 * (lower + upper));
-  result.radiusWorld = 0.0;
   result.crossesNear = false;
   result.nearestDepth = 0.0;
   vec2 lowest = vec2(kInfinity);
@@ -56,7 +52,6 @@ BoxOnScreen boxOnScreen(Transform t, vec3 lower, vec3 upper, mat4 clipFromWorld,
     vec3 world = transformPoint(t, boxCorner(lower, upper, corner));
     result.minWorld = min(result.minWorld, world);
     result.maxWorld = max(result.maxWorld, world);
-    result.radiusWorld = max(result.radiusWorld, distance(world, result.centerWorld));
     vec4 clip = clipFromWorld * vec4(world, 1.0);
     beyondAll &= planesBeyond(clip, margin);
     float w = clip.w - error.w;

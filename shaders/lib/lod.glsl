@@ -2,6 +2,9 @@
 // chains and lods before. CPU twin: src/visibility/lod_policy.cpp
 #include "lib/fading.glsl"
 
+/// Of the last frame, with a budget of triangles.
+layout(std140, binding = kBindingPrice) uniform PriceBlock { PriceState priceState; };
+
 /// Occluded share in [0, 1]: 0 fully visible, 1 fully occluded. LV can lie below -1 and is clamped.
 float hiddenShare(float lv) { return (clamp(lv, -1.0, 1.0) + 1.0) * 0.5; }
 
@@ -29,6 +32,12 @@ float pixelsLv(float visible, float area) {
   return 1.0 - 2.0 * min((visible + kPixelGuard) / (kSilhouetteShare * area + kPixelGuard), 1.0);
 }
 
+/// Visible pixels of an object with a level of visibility, the inverse of pixelsLv: at most the share of the rectangle
+/// that an object in full sight is taken to fill.
+float visiblePixels(float lv, float area) {
+  return max(visibleShare(lv) * (kSilhouetteShare * area + kPixelGuard) - kPixelGuard, 0.0);
+}
+
 /// LV smoothed over time: one step from the last frame's value towards the measured one.
 float smoothLv(float last, float measured) {
   float start = clamp(last, -1.0, 1.0);
@@ -42,9 +51,9 @@ float forgottenLv(float last) {
 }
 
 /// Pixels that an error of one object-space unit can cover (docs/lod_selection.md):
-/// scale * focalPixels / max(distance - radius, zNear).
-float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
-  return scale * focalPixels / max(distance - radius, zNear);
+/// scale * focalPixels / max(distance, zNear).
+float projectedScale(float scale, float focalPixels, float distance, float zNear) {
+  return scale * focalPixels / max(distance, zNear);
 }
 
 /// Coarsest level whose error projects to at most tau pixels; LOD 0 if none does.
@@ -73,6 +82,56 @@ uint relaxedLod(Chain chain, float pixelsPerUnit, float tau, float relaxed, floa
   return best;
 }
 
+/// What the error and the triangles of one object cost (docs/lod_selection.md).
+struct Price {
+  float pixels;       // of the object, visible
+  float perTriangle;  // pixels of area times pixels of error
+  float maxError;     // limit of the largest deviation, pixels
+};
+
+/// The larger the error, the more each visible pixel of the object costs, up to kErrorCap.
+float costAt(Price price, float errorPixels, float triangles) {
+  return (price.pixels + 1.0) * (errorPixels < kErrorCap ? errorPixels : kErrorCap) + price.perTriangle * triangles;
+}
+
+/// Level with the least cost, the finer one of equals. Levels beyond the limit of the largest deviation and those of
+/// unknown error do not count.
+uint pricedLod(Chain chain, float pixelsPerUnit, Price price) {
+  uint best = 0u;
+  float leastCost = costAt(price, 0.0, float(lods[chain.firstLod].triangleCount));
+  for (uint level = 1u; level < chain.lodCount; ++level) {
+    Lod lod = lods[chain.firstLod + level];
+    if (isinf(lod.meanErrorObject) || !(lod.errorObject * pixelsPerUnit <= price.maxError)) continue;
+    float cost = costAt(price, lod.meanErrorObject * pixelsPerUnit, float(lod.triangleCount));
+    if (cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
+/// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
+uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
+
+/// Tessellation level with the least cost, the finer one of equals; the finest where all are beyond the limit.
+/// @param errorPixels  of the untessellated base   @param triangles  of the base
+uint pricedTessellation(float errorPixels, float triangles, Price price, uint maxLevel) {
+  uint best = maxLevel;
+  float leastCost = costAt(price, errorPixels / float(maxLevel * maxLevel),
+                           triangles * float(tessellatedTriangles(maxLevel)));
+  for (uint level = maxLevel - 1u; level > 0u; --level) {
+    float error = errorPixels / float(level * level);
+    if (!(error <= price.maxError)) break;
+    float cost = costAt(price, error, triangles * float(tessellatedTriangles(level)));
+    if (cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
 /// Lowest tessellation level whose triangles stay within tau of the curved surface. The gap of a quadratic patch falls
 /// with the square of the level.
 uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
@@ -90,30 +149,70 @@ struct DetailInput {
   Chain chain;
   float pixelsPerUnit;  // as ScreenBox
   float tau;            // as ScreenBox
+  float area;           // of the bounding rectangle, pixels; of the screen if there is no rectangle
   bool seen;            // a pixel of the last frame showed the object, or no count says
   ObjectState last;     // of the last frame, where the marks have kMarkKnown or kMarkRemembered
 };
 
-/// Screen-space error that an object may have.
+/// What an object may deviate by on the screen, and what its triangles cost.
 struct Budget {
-  float tau;      // pixels, for a fully visible object
-  float relaxed;  // factor for this one
-  float share;    // visible share
+  float tau;       // pixels, for a fully visible object
+  float relaxed;   // factor for this one
+  float share;     // visible share
+  float pixels;    // visible pixels
+  float maxError;  // limit of the largest deviation, pixels
 };
 
-/// Tessellation level that follows the budget within the hysteresis, one level at a time.
-uint calmTessellation(DetailInput object, Budget budget) {
-  float patchPixels = lods[object.chain.patchLod].errorObject * object.pixelsPerUnit;
-  float whole = budget.tau * budget.relaxed;
-  return stepTowards(object.last.tessellation,
-                     pixelErrorTessellation(patchPixels, whole * cullView.hysteresis, cullView.maxTessellation),
-                     pixelErrorTessellation(patchPixels, whole / cullView.hysteresis, cullView.maxTessellation));
+/// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
+/// over all directions (Cauchy), and less where parts of it hide others.
+bool isThin(DetailInput object) {
+  float surfacePixels = object.chain.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
+  return 0.25 * surfacePixels < kThinShare * object.area;
+}
+
+Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
+  Budget budget = Budget(object.tau, hasTrait(kTraitFollowsLv) ? relaxedBudget(lv, cullView.relax) : 1.0,
+                         visibleShare(lv), visiblePixels(lv, object.area), cullView.maxError);
+  if (isThin(object)) budget.maxError = min(budget.maxError, object.tau);
+  if (calm) {
+    budget.relaxed = min(budget.relaxed, kMostCalmRelaxed);
+    budget.share = max(budget.share, kLeastCalmShare);
+    budget.pixels = max(budget.pixels, kLeastCalmPixels);
+  } else if (counted && !object.seen) {
+    budget.maxError = uintBitsToFloat(0x7f800000u);  // no pixel shows it
+  }
+  return budget;
+}
+
+/// @param margin  scales tau; below 1 also the limit of the largest deviation
+Price priceOf(Budget budget, float margin) {
+  float tau = budget.tau * margin;
+  float factor = cullView.triangleBudget > 0u ? exp(priceState.logFactor) : 1.0;
+  return Price(budget.pixels, kTrianglePrice * tau * tau * factor, budget.maxError * min(margin, 1.0));
+}
+
+/// Level of the chain that the budget allows at tau * margin.
+uint budgetLod(DetailInput object, Budget budget, float margin) {
+  if (hasTrait(kTraitPrice)) return pricedLod(object.chain, object.pixelsPerUnit, priceOf(budget, margin));
+  return relaxedLod(object.chain, object.pixelsPerUnit, budget.tau * margin, budget.relaxed, budget.share);
+}
+
+/// The same for the patches.
+uint budgetTessellation(DetailInput object, Budget budget, float margin) {
+  Lod patches = lods[object.chain.patchLod];
+  float errorPixels = patches.errorObject * object.pixelsPerUnit;
+  if (hasTrait(kTraitPrice))
+    return pricedTessellation(errorPixels, float(patches.triangleCount), priceOf(budget, margin),
+                              cullView.maxTessellation);
+  return pixelErrorTessellation(errorPixels, budget.tau * margin * budget.relaxed, cullView.maxTessellation);
 }
 
 /// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes
 /// by one and is cross-faded. An object of which no pixel was visible switches at once to the nearest level that fits.
 void followBudget(DetailInput object, Budget budget, inout ObjectState state, inout uint mark) {
-  state.tessellation = calmTessellation(object, budget);
+  float margin = cullView.hysteresis;
+  state.tessellation = stepTowards(object.last.tessellation, budgetTessellation(object, budget, margin),
+                                   budgetTessellation(object, budget, 1.0 / margin));
   state.lod = object.last.lod;
   uint left = min(fadeFrames(mark), cullView.fadeFrames + 1u);  // the fade may have begun with more frames
   if (object.seen && left > 1u) {
@@ -121,10 +220,8 @@ void followBudget(DetailInput object, Budget budget, inout ObjectState state, in
     return;
   }
   mark &= ~kMarkFadeMask;
-  uint finest = relaxedLod(object.chain, object.pixelsPerUnit, budget.tau / cullView.hysteresis, budget.relaxed,
-                           budget.share);
-  uint coarsest = max(finest, relaxedLod(object.chain, object.pixelsPerUnit, budget.tau * cullView.hysteresis,
-                                         budget.relaxed, budget.share));
+  uint finest = budgetLod(object, budget, 1.0 / margin);
+  uint coarsest = max(finest, budgetLod(object, budget, margin));
   state.lod = object.seen ? stepTowards(object.last.lod, finest, coarsest) : clamp(object.last.lod, finest, coarsest);
   if (object.seen && state.lod != object.last.lod && !hasTrait(kTraitPatches) && cullView.fadeFrames > 0u)
     mark |= (cullView.fadeFrames << kMarkFadeShift) | (object.last.lod > state.lod ? kMarkFromCoarser : 0u);
@@ -140,16 +237,12 @@ void chooseDetail(DetailInput object, inout ObjectState state, inout uint mark) 
     state.lod = linearLod(state.lv, object.chain.lodCount);
     state.tessellation = tessellationLevel(state.lv, cullView.maxTessellation);
   } else if (followsError) {
-    Budget budget = Budget(object.tau, followsLv ? relaxedBudget(state.lv, cullView.relax) : 1.0,
-                           visibleShare(state.lv));
+    Budget budget = budgetOf(object, state.lv, calm, (mark & kMarkCounted) != 0u);
     if (calm) {
-      budget.relaxed = min(budget.relaxed, kMostCalmRelaxed);
-      budget.share = max(budget.share, kLeastCalmShare);
       followBudget(object, budget, state, mark);
     } else {
-      state.lod = relaxedLod(object.chain, object.pixelsPerUnit, budget.tau, budget.relaxed, budget.share);
-      state.tessellation = pixelErrorTessellation(lods[object.chain.patchLod].errorObject * object.pixelsPerUnit,
-                                                  budget.tau * budget.relaxed, cullView.maxTessellation);
+      state.lod = budgetLod(object, budget, 1.0);
+      state.tessellation = budgetTessellation(object, budget, 1.0);
     }
   }
   bool same = hasTrait(kTraitPatches) ? state.tessellation == object.last.tessellation : state.lod == object.last.lod;

@@ -38,6 +38,38 @@ const float kSilhouetteShare = 0.5;
 /// less of a mostly occluded object does not change its level.
 const float kPixelGuard = 4.0;
 
+// One price (docs/lod_selection.md).
+/// Mean error from which a pixel of an object is as wrong as it can be, pixels.
+const float kErrorCap = 2.0;
+/// Price of a triangle at a tau of one pixel: pixels of area times pixels of error.
+const float kTrianglePrice = 1.0 / 32.0;
+/// A calm level is chosen for at least so many visible pixels: an object that shows none then need not change its level
+/// when its first pixels appear.
+const float kLeastCalmPixels = 16.0;
+/// An object whose silhouette is a smaller share of its rectangle is thin: the pixels of the rectangle do not say how
+/// much of it is occluded.
+const float kThinShare = 1.0 / 16.0;
+/// Usual limit of the largest deviation, pixels.
+const float kDefaultMaxError = 8.0;
+
+// Budget of triangles (docs/lod_selection.md).
+/// Logarithm of triangles over budget that is left alone.
+const float kBudgetTolerance = 1.0 / 64.0;
+/// Step of the logarithm of the price per unit of this logarithm, at most; and the gain from which a frame below the
+/// budget is left alone. Triangles fall with about the root of the price.
+const float kMostGain = 1.5;
+const float kLeastGain = 1.0 / 64.0;
+/// The same for calm levels, which answer over the frames of a cross-fade.
+const float kMostCalmGain = 0.125;
+/// A step across the budget halves the gain, so that the price comes to rest where one object's levels are the only
+/// choice. The gain grows by this factor while the frame stays above the budget or moves away from it.
+const float kGainGrowth = 1.5;
+/// Growth of the logarithm in one frame that a cut of the camera makes and no step of the price: the gain starts again.
+const float kBudgetJump = 0.25;
+/// Largest step in one frame, and the range of the logarithm of the factor.
+const float kMostLogStep = 1.0;
+const float kMostLogFactor = 24.0;
+
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times CullView.hysteresis, and the next coarser one's is above
 /// the budget divided by it. The usual margin.
@@ -138,6 +170,7 @@ const uint kBindingGhostMarks = 7u;
 const uint kBindingCounters = 0u;
 const uint kBindingEarlySlots = 5u;
 const uint kBindingLateSlots = 7u;
+const uint kBindingPriceState = 1u;
 // Drawing programs.
 const uint kBindingDrawBoxes = 3u;
 const uint kBindingDrawInstances = 5u;
@@ -148,6 +181,7 @@ const uint kBindingCullView = 0u;
 const uint kBindingDrawView = 1u;
 const uint kBindingListView = 2u;
 const uint kBindingReduceView = 3u;
+const uint kBindingPrice = 4u;
 
 // Texture and image units.
 const uint kUnitBaseColor = 8u;  // and the next ones: [kTextureClasses]

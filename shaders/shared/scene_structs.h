@@ -36,8 +36,8 @@ struct Chain {
   uint binCount;    // 2 per level: plain and mirrored; at least 4 where there is a patch base
   uint firstEntry;  // of the chain's counts, [binCount][tileCount] in the array that the prefix sum runs over
   uint tileCount;
+  float surfaceObject;  // area of LOD 0, square of an object-space length
   uint reserved0;
-  uint reserved1;
 };
 JAL_ASSERT_SIZE(Chain, 64)
 
@@ -64,10 +64,10 @@ struct Lod {
   uint sheetCount;  // indices of double-sided or masked triangles
   uint blendCount;  // indices of blended triangles
   int baseVertex;
-  uint triangleCount;  // (solidCount + sheetCount + blendCount) / 3
-  float errorObject;   // deviation from LOD 0, object-space length; of a patch base: its flat triangles from its
-                       // own curved surface. Infinite where unknown
-  uint reserved0;
+  uint triangleCount;     // (solidCount + sheetCount + blendCount) / 3
+  float errorObject;      // largest deviation from LOD 0, object-space length; of a patch base: its flat triangles from
+                          // its own curved surface. Infinite where unknown
+  float meanErrorObject;  // mean deviation, ascending along the chain; errorObject where unknown
 };
 JAL_ASSERT_SIZE(Lod, 32)
 

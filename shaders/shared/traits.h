@@ -14,9 +14,10 @@ const uint kTraitUsesMap = 4u;         // occluders are drawn into an occlusion 
 const uint kTraitUsesDepth = 8u;       // a texel occludes only what lies behind its farthest depth
 const uint kTraitTwoPhases = 16u;      // what was visible in the last frame is drawn before the test
 
-// Level rule. With both bits, the level of visibility relaxes the error budget.
+// Level rule. With the first two bits, the level of visibility relaxes the error budget.
 const uint kTraitFollowsError = 256u;  // levels follow the screen-space error
 const uint kTraitFollowsLv = 512u;     // levels follow the level of visibility
+const uint kTraitPrice = 1024u;        // with both: levels have the least sum of visible error and priced triangles
 
 // Visibility measure; none of them: LV stays at its least value.
 const uint kTraitLvThesis = 65536u;     // four DCT coefficients (thesis 3.5)

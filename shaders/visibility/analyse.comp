@@ -145,7 +145,8 @@ void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectStat
   mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
   if (early || counted || !hasTrait(kTraitFollowsLv)) return;
   bool known = (mark & kMarkKnown) != 0u;
-  chooseDetail(DetailInput(chains[objects[id].chain], box.pixelsPerUnit, box.tau, known, last), state, mark);
+  float area = (box.maxX - box.minX) * (box.maxY - box.minY);
+  chooseDetail(DetailInput(chains[objects[id].chain], box.pixelsPerUnit, box.tau, area, known, last), state, mark);
 }
 
 void main() {

@@ -80,12 +80,11 @@ uint marksOf(History history) {
 /// Whether analyse.comp will test the object.
 bool isTestedLater(uint verdict) { return verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion); }
 
-/// LV from what is known before this frame's test. @param rect  pixels; the whole screen if there is no rectangle
-float lvBeforeTest(History history, uint verdict, vec4 rect) {
+/// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
+float lvBeforeTest(History history, uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0;
   if (history.counted) {
-    vec2 size = rect.zw - rect.xy;
-    float lv = pixelsLv(float(history.pixels), size.x * size.y);
+    float lv = pixelsLv(float(history.pixels), area);
     return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
   if (history.remembered && hasTrait(kTraitLvPixels)) {
@@ -103,9 +102,8 @@ bool waitsForBlock(History history, uint verdict) {
 
 /// @param rect  pixels, clipped; 0 if there is no rectangle
 ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance) {
-  float pixelsPerUnit =
-      projectedScale(scale, cullView.focalPixels, distance(cullView.cameraWorld.xyz, box.centerWorld), box.radiusWorld,
-                     cullView.cameraWorld.w);
+  float nearest = distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld);
+  float pixelsPerUnit = projectedScale(scale, cullView.focalPixels, nearest, cullView.cameraWorld.w);
   return ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, cullView.tau / importance,
                    kCoverOpen);
 }
@@ -134,13 +132,15 @@ void main() {
   History history = historyOf(id);
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
               marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
-  float lv = lvBeforeTest(history, verdict, hasRect ? rect : vec4(vec2(0.0), viewport));
+  vec2 size = hasRect ? rect.zw - rect.xy : viewport;
+  float area = size.x * size.y;
+  float lv = lvBeforeTest(history, verdict, area);
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, lv);
   if (waitsForBlock(history, verdict)) {
     state = ObjectState(verdict, history.state.lod, history.state.tessellation, history.state.lv);
   } else {
     bool seen = history.known && (!history.counted || history.pixels > 0u);
-    chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, seen, history.state), state, mark);
+    chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, area, seen, history.state), state, mark);
   }
   boxes[id] = screen;
   marks[id] = mark;

@@ -26,9 +26,6 @@ layout(std430, binding = kBindingCounters) buffer CounterBlock { uint counters[]
 #include "lib/lod.glsl"
 #include "lib/count_triangles.glsl"
 
-/// Triangles of one patch: rings of 6 (n - 1), 6 (n - 3), ... around the middle.
-uint tessellatedTriangles(uint n) { return (n & 1u) != 0u ? 3u * (n * n - 1u) / 2u + 1u : 3u * n * n / 2u; }
-
 /// An object whose own instance is on a list. @return  its triangles
 uint countDrawn(ObjectState state, Chain chain, uint mark, bool early) {
   bool patches = hasTrait(kTraitPatches);

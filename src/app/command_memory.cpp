@@ -31,6 +31,11 @@ bool hasPatches(const RenderOptions& options) {
   return rowOf(options.frameOptions.detail).patches;
 }
 
+/// With the cells of the options, which have no effect on patches.
+asset::SceneSize dividedSize(const asset::SceneSize& whole, const RenderOptions& options) {
+  return hasPatches(options) ? whole : scene::withCells(whole, options.cells);
+}
+
 /// Everything that one renderer allocates.
 MemoryEstimate rendererNeeds(const asset::SceneSize& size, const RenderOptions& options) {
   return sum({render::bufferNeeds(size, hasPatches(options), options.rendererOptions),
@@ -62,14 +67,14 @@ MemoryEstimate flatNeeds(const asset::SceneSize& size) {
 }
 
 MemoryEstimate renderNeeds(const asset::SceneSize& whole, const RenderOptions& options) {
-  const asset::SceneSize size = scene::withCells(whole, options.cells);
+  const asset::SceneSize size = dividedSize(whole, options);
   return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size),
               scene::sceneNeeds(size, hasPatches(options)),
               larger(scene::fileNeeds(size), rendererNeeds(size, options))});
 }
 
 MemoryEstimate viewNeeds(const asset::SceneSize& whole, const RenderOptions& options) {
-  const asset::SceneSize size = scene::withCells(whole, options.cells);
+  const asset::SceneSize size = dividedSize(whole, options);
   return sum({base(), maskNeeds(options.importance), scene::imageNeeds(size), scene::fileNeeds(size),
               scene::sceneNeeds(size, hasPatches(options)), rendererNeeds(size, options)});
 }

@@ -138,7 +138,7 @@ std::vector<RenderOption> cullingRows() {
        OptionGroup::kCulling, NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
        "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
-      {"--cells", "cells", "triangles",
+      {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
        "same. auto = the cells of the file, else cells of 256 triangles for large objects with few instances",
        OptionGroup::kCulling, ChoiceValue{cellsText, setCells, {"auto", "off", "64", "128", "256", "512", "1024"}},
@@ -180,7 +180,20 @@ std::vector<RenderOption> levelRows() {
       {"--relax", "relaxation", "times tau",
        "Limit how far --lod lv-error relaxes tau: tau grows with (visible share)^(-1/4), at most to 1 + RELAX times",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.relax; }, 0.0F, 1000.0F},
-       "--lod lv-error", [](const Options& o) { return followsError(o) && rowOf(o.frameOptions.lodRule).followsLv; }},
+       "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
+      {"--triangles", "triangle budget", "triangles",
+       "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
+       "allow; 0 turns this off and leaves the price to --tau",
+       OptionGroup::kDetail,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
+       "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
+       [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
+      {"--max-error", "largest deviation", "pixels",
+       "Limit what any point of an object may deviate by where --lod price chooses by mean errors; an object without a "
+       "visible pixel is not limited unless --calm is given; 0 turns this off",
+       OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.maxError; }, 0.0F, 1000.0F},
+       "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
+       [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
   };
 }
 

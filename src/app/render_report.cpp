@@ -25,9 +25,6 @@ std::string grouped(std::uint64_t value) {
 bool followsTau(const RenderOptions& options) {
   return rowOf(options.frameOptions.lodRule).followsError;
 }
-bool relaxesTau(const RenderOptions& options) {
-  return followsTau(options) && rowOf(options.frameOptions.lodRule).followsLv;
-}
 bool tessellates(const RenderOptions& options) {
   return rowOf(options.frameOptions.detail).patches;
 }
@@ -57,7 +54,12 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["lod"] = rowOf(options.frameOptions.lodRule).name;
   json["lv"] = rowOf(options.frameOptions.lvMeasure).name;
   if (followsTau(options)) json["tau"] = options.frameOptions.tau;
-  if (relaxesTau(options)) json["relax"] = options.frameOptions.relax;
+  const LodRuleRow& rule = rowOf(options.frameOptions.lodRule);
+  if (relaxesTau(rule)) json["relax"] = options.frameOptions.relax;
+  if (rule.pricesTriangles) {
+    json["max_error"] = options.frameOptions.maxError;
+    json["triangle_budget"] = options.frameOptions.triangleBudget;
+  }
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);

@@ -21,6 +21,8 @@ constexpr const char* kCoverage = "MSFT_screencoverage";
 constexpr const char* kExtras = "jalousie";
 constexpr const char* kCells = "cells";
 constexpr const char* kCellTriangles = "triangles";
+/// A mean of equal distances may be larger than their maximum by its rounding.
+constexpr double kMeanRounding = 1e-6;
 
 [[noreturn]] void malformed(const std::string& message) {
   throw Error(ErrorCode::kMalformed, message);
@@ -79,7 +81,10 @@ const tinygltf::Value& memberObject(const tinygltf::Value& object, const char* k
 
 DistanceInfo memberDistance(const tinygltf::Value& object, const char* key) {
   const tinygltf::Value& value = memberObject(object, key);
-  return {memberNumber(value, "max"), memberNumber(value, "mean")};
+  const DistanceInfo distance{memberNumber(value, "max"), memberNumber(value, "mean")};
+  if (distance.mean > distance.max * (1.0 + kMeanRounding))
+    malformed(fmt::format("extras.{}.{}: the mean is larger than the maximum", kExtras, key));
+  return distance;
 }
 
 SpreadInfo memberSpread(const tinygltf::Value& object, const char* key) {

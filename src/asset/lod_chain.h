@@ -65,7 +65,8 @@ using CellTriangles = std::vector<std::vector<std::uint32_t>>;
 
 /// Writes extras.jalousie of a level's mesh, keeping other extras. Cells that were there are removed.
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
-/// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, unknown format version).
+/// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, a mean above its maximum, unknown
+/// format version).
 std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh);
 
 /// Adds the cells to extras.jalousie. @pre setLodInfo with measures was called (checked); a list for each primitive

@@ -162,6 +162,7 @@ class SceneReader {
       if (!chain.levels.empty()) {
         const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(mesh)]);
         level.errorObject = info ? static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
+        if (info && info->measures) level.meanErrorObject = static_cast<float>(info->measures->twoSided.mean);
       }
       chain.levels.push_back(level);
     }

@@ -47,7 +47,8 @@ struct Mesh {
 
 struct LodLevel {
   std::uint32_t mesh = 0;    ///< index into SceneFile::meshes
-  float errorObject = 0.0F;  ///< 0 for LOD 0; infinite where the file does not say
+  float errorObject = 0.0F;  ///< largest deviation; 0 for LOD 0; infinite where the file does not say
+  std::optional<float> meanErrorObject = std::nullopt;  ///< mean deviation; absent where the file does not say
 };
 
 /// LOD 0 first. One level where the file has no MSFT_lod. Nodes with the same meshes share a chain.

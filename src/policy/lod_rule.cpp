@@ -23,6 +23,13 @@ constexpr LodRuleRow kRules[] = {
      .followsLv = true,
      .measure = LvMeasure::kPixels,
      .help = "pixel-error with a larger --tau for partly occluded objects"},
+    {.name = "price",
+     .id = LodRule::kPrice,
+     .followsError = true,
+     .followsLv = true,
+     .pricesTriangles = true,
+     .measure = LvMeasure::kPixels,
+     .help = "least sum of visible pixels times mean error and of triangles times one price, which grows with --tau"},
 };
 static_assert(policy::isInOrder(kRules));
 
@@ -36,9 +43,14 @@ const LodRuleRow& rowOf(LodRule rule) {
   return policy::row(lodRuleTable(), rule);
 }
 
+bool relaxesTau(const LodRuleRow& rule) {
+  return rule.followsError && rule.followsLv && !rule.pricesTriangles;
+}
+
 gpu::uint traitsOf(LodRule rule) {
   const LodRuleRow& row = rowOf(rule);
-  return (row.followsError ? gpu::kTraitFollowsError : 0) | (row.followsLv ? gpu::kTraitFollowsLv : 0);
+  return (row.followsError ? gpu::kTraitFollowsError : 0) | (row.followsLv ? gpu::kTraitFollowsLv : 0) |
+         (row.pricesTriangles ? gpu::kTraitPrice : 0);
 }
 
 }  // namespace jalousie

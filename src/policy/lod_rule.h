@@ -14,6 +14,7 @@ enum class LodRule : gpu::uint {
   kLinear,      ///< LV mapped linearly onto the levels (thesis 4.1.3)
   kPixelError,  ///< coarsest level whose screen-space error is at most tau
   kLvError,     ///< the same, with tau relaxed by LV
+  kPrice,       ///< least sum of visible error and triangles, at one price of a triangle for all objects
 };
 
 /// One row of the table.
@@ -22,6 +23,7 @@ struct LodRuleRow {
   LodRule id;
   bool followsError = false;             ///< uses tau; hysteresis and cross-fades apply
   bool followsLv = false;                ///< uses the level of visibility
+  bool pricesTriangles = false;          ///< weighs error against triangles; with followsError and followsLv
   LvMeasure measure = LvMeasure::kNone;  ///< measure of LV where none is chosen
   const char* help;                      ///< phrase for --help, panel and docs
 };
@@ -29,6 +31,8 @@ struct LodRuleRow {
 /// All rules, in the order of LodRule.
 std::span<const LodRuleRow> lodRuleTable();
 const LodRuleRow& rowOf(LodRule rule);
+/// Whether LV makes the rule's tau larger.
+bool relaxesTau(const LodRuleRow& rule);
 /// kTrait... of shared/traits.h.
 gpu::uint traitsOf(LodRule rule);
 

@@ -25,6 +25,12 @@ inline constexpr std::uint32_t kCountInterval = 4;
 struct FrameOptions : FramePolicy {
   float tau = 1.0F;     ///< screen-space error allowed, pixels; LodRule::kLvError allows partly occluded objects more
   float relax = 64.0F;  ///< LodRule::kLvError: tau grows to at most tau * (1 + relax)
+  /// LodRule::kPrice: no level is drawn whose largest deviation is more pixels, unless no pixel shows the object; 0:
+  /// all levels are allowed.
+  float maxError = gpu::kDefaultMaxError;
+  /// LodRule::kPrice: the price is moved from frame to frame so that a frame has this many triangles; 0: the price
+  /// follows from tau alone. tau still says how the error of important regions is weighed.
+  gpu::uint triangleBudget = 0;
   float hysteresis = gpu::kDefaultHysteresis;      ///< calm: keep a level while tau * hysteresis and tau / hysteresis
                                                    ///< allow it; >= 1
   gpu::uint fadeFrames = gpu::kDefaultFadeFrames;  ///< calm: frames of a cross-fade, <= kMaxFadeFrames; 0: none

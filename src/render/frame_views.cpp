@@ -2,6 +2,7 @@
 #include "render/frame_views.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/patch_base.h"
 
@@ -44,6 +45,8 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.occluderTau = options.occluderTau.value_or(rowOf(options.cullMode).occluderTau);
   view.minPixels = options.minPixels;
   view.relax = options.relax;
+  view.maxError = options.maxError > 0.0F ? options.maxError : std::numeric_limits<float>::infinity();
+  view.triangleBudget = rowOf(options.lodRule).pricesTriangles ? options.triangleBudget : 0;
   view.calm = options.calm ? 1 : 0;
   view.measureCover = rowOf(options.view).measuresCover ? 1 : 0;
   view.hysteresis = options.hysteresis;

@@ -49,6 +49,23 @@ gpu::Material makeMaterial(const asset::Material& material, std::span<const Text
   return result;
 }
 
+/// Area of all triangles, object space.
+double surfaceOf(const Primitive& primitive) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const glm::dvec3 a(primitive.positions[primitive.indices[i]]);
+    const glm::dvec3 b(primitive.positions[primitive.indices[i + 1]]);
+    const glm::dvec3 c(primitive.positions[primitive.indices[i + 2]]);
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
+}
+
+/// Mean deviation of a level, at most its largest one, which counts where the file states no mean.
+float meanErrorOf(const asset::LodLevel& level) {
+  return std::min(level.meanErrorObject.value_or(level.errorObject), level.errorObject);
+}
+
 /// Builds one scene.
 class Builder {
  public:
@@ -63,6 +80,7 @@ class Builder {
     meshLods_.resize(file_.meshes.size());
     meshBounds_.resize(file_.meshes.size());
     meshCells_.resize(file_.meshes.size());
+    meshSurfaces_.resize(file_.meshes.size());
     for (std::size_t m = 0; m < file_.meshes.size(); ++m)
       addMesh(m);
     for (const asset::Chain& chain : file_.chains)
@@ -179,6 +197,8 @@ class Builder {
       whole.blendCount += lod.blendCount;
       whole.triangleCount += lod.triangleCount;
     }
+    for (const Primitive& primitive : mesh.primitives)
+      meshSurfaces_[m] += surfaceOf(primitive);
   }
 
   static std::span<const std::uint32_t> cellIndices(const Primitive& primitive, const MeshCells& cells, std::size_t p,
@@ -213,7 +233,7 @@ class Builder {
     const std::vector<std::uint32_t> offsets = appendVertices(mesh, &split);
     gpu::Lod lod = appendTriangles(mesh, offsets, baseVertex,
                                    [&](std::size_t p) { return std::span(mesh.primitives[p].indices); });
-    lod.errorObject = error;
+    lod.errorObject = lod.meanErrorObject = error;
     return lod;
   }
 
@@ -225,13 +245,17 @@ class Builder {
     result.firstLod = static_cast<std::uint32_t>(scene_.lods.size());
     result.lodCount = static_cast<std::uint32_t>(chain.levels.size());
     Aabb bounds;
+    float mean = 0.0F;
     for (const asset::LodLevel& level : chain.levels) {
       gpu::Lod lod = meshLods_[level.mesh];
       lod.errorObject = level.errorObject;
+      lod.meanErrorObject = meanErrorOf(level);
+      if (std::isfinite(lod.meanErrorObject)) lod.meanErrorObject = mean = std::max(mean, lod.meanErrorObject);
       scene_.hasUnmeasuredLevels |= !std::isfinite(level.errorObject);
       scene_.lods.push_back(lod);
       bounds.add(meshBounds_[level.mesh]);
     }
+    result.surfaceObject = static_cast<float>(meshSurfaces_[chain.levels.front().mesh]);
     result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
     if (options_.patches) {
       scene_.lods.push_back(addPatchBase(file_.meshes[chain.levels.back().mesh], bounds));
@@ -293,6 +317,7 @@ class Builder {
       const Cell& part = meshCells_[levels[k].mesh][cell];
       gpu::Lod lod = part.lod;
       lod.errorObject = scene_.lods[firstLod + k].errorObject;
+      lod.meanErrorObject = scene_.lods[firstLod + k].meanErrorObject;
       tables.lods.push_back(lod);
       tables.bounds.push_back({glm::vec4(part.bounds.min, 0.0F), glm::vec4(part.bounds.max, 0.0F)});
       whole.add(part.bounds);
@@ -315,6 +340,7 @@ class Builder {
   std::vector<std::vector<Cell>> meshCells_;
   std::vector<gpu::Lod> meshLods_;
   std::vector<Aabb> meshBounds_;
+  std::vector<double> meshSurfaces_;  ///< object space
 };
 
 }  // namespace

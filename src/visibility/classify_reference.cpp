@@ -75,11 +75,11 @@ bool isTestedLater(const gpu::CullView& view, gpu::uint verdict) {
   return verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
 }
 
-/// LV from what is known before this frame's test. @param rect  pixels; the whole screen if there is no rectangle
-float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, const glm::vec4& rect) {
+/// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
+float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0F;
   if (history.counted) {
-    const float lv = pixelsLv(static_cast<float>(history.pixels), (rect.z - rect.x) * (rect.w - rect.y));
+    const float lv = pixelsLv(static_cast<float>(history.pixels), area);
     return history.measured ? smoothLv(history.state.lv, lv) : lv;
   }
   if (history.remembered && has(view.traits, gpu::kTraitLvPixels)) {
@@ -99,9 +99,8 @@ bool waitsForBlock(const gpu::CullView& view, const History& history, gpu::uint 
 /// @param rect  pixels, clipped; 0 if there is no rectangle
 gpu::ScreenBox screenBoxOf(const gpu::CullView& view, const BoxOnScreen& box, const glm::vec4& rect, float scale,
                            float importance) {
-  const float pixelsPerUnit =
-      projectedScale(scale, view.focalPixels, glm::distance(glm::vec3(view.cameraWorld), box.centerWorld),
-                     box.radiusWorld, view.cameraWorld.w);
+  const float nearest = distanceToBox(glm::vec3(view.cameraWorld), box.boundsWorld);
+  const float pixelsPerUnit = projectedScale(scale, view.focalPixels, nearest, view.cameraWorld.w);
   return {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, view.tau / importance, gpu::kCoverOpen};
 }
 
@@ -123,7 +122,6 @@ BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObjec
                         const glm::vec2& viewport, float rounding) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   BoxOnScreen result;
-  result.centerWorld = transformPoint(transform, 0.5F * (boundsObject.min + boundsObject.max));
   glm::vec2 lowest(kInfinity);
   glm::vec2 highest(-kInfinity);
   unsigned beyondAll = 63;
@@ -132,7 +130,6 @@ BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObjec
   for (unsigned corner = 0; corner < 8; ++corner) {
     const glm::vec3 world = transformPoint(transform, boxCorner(boundsObject, corner));
     result.boundsWorld.add(world);
-    result.radiusWorld = glm::max(result.radiusWorld, glm::distance(world, result.centerWorld));
     const glm::vec4 clip = clipFromWorld * glm::vec4(world, 1.0F);
     beyondAll &= planesBeyond(clip, margin);
     const float w = clip.w - error.w;
@@ -220,13 +217,17 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
   result.marks = phasesOf(verdict, isExpectedVisible(history.marks, rect, view), view.traits) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history) |
                  mapLodMark(scene, view, chain, result.box.pixelsPerUnit);
-  const float lv = lvBeforeTest(view, history, verdict, hasRect ? rect : glm::vec4(glm::vec2(0.0F), viewport));
+  const glm::vec2 size = hasRect ? glm::vec2(rect.z - rect.x, rect.w - rect.y) : viewport;
+  const float lv = lvBeforeTest(view, history, verdict, size.x * size.y);
   result.state = {verdict, 0, view.maxTessellation, lv};
   if (waitsForBlock(view, history, verdict)) {
     result.state = {verdict, history.state.lod, history.state.tessellation, history.state.lv};
   } else {
     const bool seen = history.known && (!history.counted || history.pixels > 0);
-    chooseDetail(view, detailInput(scene, chain, result.box, seen, history.state), result.state, result.marks);
+    DetailInput input = detailInput(scene, chain, result.box, seen, history.state);
+    input.area = size.x * size.y;
+    input.priceFactor = last.priceFactor;
+    chooseDetail(view, input, result.state, result.marks);
   }
   return result;
 }

@@ -21,10 +21,8 @@ struct BoxOnScreen {
   bool outside = false;      ///< every corner lies beyond one plane of the clip volume
   bool crossesNear = false;  ///< some corner is not safely beyond the near plane: no finite rectangle
   glm::vec4 rect{0.0F};      ///< min.xy, max.xy in pixels, clipped to the viewport; valid unless outside or crossesNear
-  float nearestDepth = 0.0F;    ///< upper bound of the window depth of any point; valid unless crossesNear
-  Aabb boundsWorld;             ///< axis-aligned box of the transformed corners
-  glm::vec3 centerWorld{0.0F};  ///< bounding sphere
-  float radiusWorld = 0.0F;
+  float nearestDepth = 0.0F;  ///< upper bound of the window depth of any point; valid unless crossesNear
+  Aabb boundsWorld;           ///< axis-aligned box of the transformed corners
 };
 
 /// @param boundsObject   box in the object's frame
@@ -58,7 +56,8 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits);
 struct LastFrame {
   gpu::ObjectState state{};
   gpu::uint marks = 0;
-  gpu::uint pixels = 0;  ///< visible ones, when they were last counted
+  gpu::uint pixels = 0;      ///< visible ones, when they were last counted
+  float priceFactor = 1.0F;  ///< of all objects: priceFactor() after that frame
 };
 
 /// What the kernel writes for one object. @param importance  null: no mask

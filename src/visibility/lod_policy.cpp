@@ -1,10 +1,12 @@
-// The linear mapping of the thesis and the projected error; plain CPU twin of shaders/lib/lod.glsl.
+// The linear mapping of the thesis, the projected error and the price; plain CPU twin of shaders/lib/lod.glsl.
 #include "visibility/lod_policy.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "policy/traits.h"
+#include "scene/patch_base.h"
 #include "scene/scene_data.h"
 #include "shared/limits.h"
 
@@ -37,6 +39,10 @@ float pixelsLv(float visible, float area) {
   return 1.0F - 2.0F * std::min((visible + gpu::kPixelGuard) / (gpu::kSilhouetteShare * area + gpu::kPixelGuard), 1.0F);
 }
 
+float visiblePixels(float lv, float area) {
+  return std::max(visibleShare(lv) * (gpu::kSilhouetteShare * area + gpu::kPixelGuard) - gpu::kPixelGuard, 0.0F);
+}
+
 float smoothLv(float last, float measured) {
   const float start = std::clamp(last, -1.0F, 1.0F);
   return start +
@@ -48,8 +54,8 @@ float forgottenLv(float last) {
   return start + gpu::kSmoothHiding * (-1.0F - start);
 }
 
-float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear) {
-  return scale * focalPixels / std::max(distance - radius, zNear);
+float projectedScale(float scale, float focalPixels, float distance, float zNear) {
+  return scale * focalPixels / std::max(distance, zNear);
 }
 
 std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau) {
@@ -67,6 +73,49 @@ std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, 
     const float error = levels[level].errorObject * pixelsPerUnit / std::max(tau, gpu::kLeastShare);
     const float cost = share * error * error + static_cast<float>(levels[level].triangleCount) / triangles;
     if (leastCost == 0.0F || cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
+namespace {
+
+/// The larger the error, the more each visible pixel of the object costs, up to kErrorCap.
+float costAt(const Price& price, float errorPixels, float triangles) {
+  return (price.pixels + 1.0F) * (errorPixels < gpu::kErrorCap ? errorPixels : gpu::kErrorCap) +
+         price.perTriangle * triangles;
+}
+
+}  // namespace
+
+std::uint32_t pricedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, const Price& price) {
+  std::uint32_t best = 0;
+  float leastCost = costAt(price, 0.0F, static_cast<float>(levels.front().triangleCount));
+  for (std::uint32_t level = 1; level < levels.size(); ++level) {
+    const gpu::Lod& lod = levels[level];
+    if (std::isinf(lod.meanErrorObject) || !(lod.errorObject * pixelsPerUnit <= price.maxError)) continue;
+    const float cost = costAt(price, lod.meanErrorObject * pixelsPerUnit, static_cast<float>(lod.triangleCount));
+    if (cost < leastCost) {
+      leastCost = cost;
+      best = level;
+    }
+  }
+  return best;
+}
+
+std::uint32_t pricedTessellation(float errorPixels, float triangles, const Price& price, std::uint32_t maxLevel) {
+  const auto trianglesAt = [&](std::uint32_t level) {
+    return triangles * static_cast<float>(scene::tessellatedTriangles(level));
+  };
+  const auto errorAt = [&](std::uint32_t level) { return errorPixels / static_cast<float>(level * level); };
+  std::uint32_t best = maxLevel;
+  float leastCost = costAt(price, errorAt(maxLevel), trianglesAt(maxLevel));
+  for (std::uint32_t level = maxLevel - 1; level > 0; --level) {
+    if (!(errorAt(level) <= price.maxError)) break;
+    const float cost = costAt(price, errorAt(level), trianglesAt(level));
+    if (cost < leastCost) {
       leastCost = cost;
       best = level;
     }
@@ -95,36 +144,83 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, const gpu::ScreenBox& box, bool seen,
                         const gpu::ObjectState& last) {
   return {std::span(scene.lods).subspan(chain.firstLod, chain.lodCount),
-          scene.lods[chain.patchLod].errorObject,
+          scene.lods[chain.patchLod],
           box.pixelsPerUnit,
           box.tau,
+          (box.maxX - box.minX) * (box.maxY - box.minY),
+          chain.surfaceObject,
+          1.0F,
           seen,
           last};
 }
 
 namespace {
 
-/// Screen-space error that an object may have.
+/// What an object may deviate by on the screen, and what its triangles cost.
 struct Budget {
-  float tau;      ///< pixels, for a fully visible object
-  float relaxed;  ///< factor for this one
-  float share;    ///< visible share
+  float tau;       ///< pixels, for a fully visible object
+  float relaxed;   ///< factor for this one
+  float share;     ///< visible share
+  float pixels;    ///< visible pixels
+  float maxError;  ///< limit of the largest deviation, pixels
+  float priceFactor;
 };
 
-/// Tessellation level that follows the budget within the hysteresis, one level at a time.
-std::uint32_t calmTessellation(const gpu::CullView& view, const DetailInput& object, const Budget& budget) {
-  const float patchPixels = object.patchError * object.pixelsPerUnit;
-  const float whole = budget.tau * budget.relaxed;
-  return stepTowards(object.last.tessellation,
-                     pixelErrorTessellation(patchPixels, whole * view.hysteresis, view.maxTessellation),
-                     pixelErrorTessellation(patchPixels, whole / view.hysteresis, view.maxTessellation));
+/// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
+/// over all directions (Cauchy), and less where parts of it hide others.
+bool isThin(const DetailInput& object) {
+  const float surfacePixels = object.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
+  return 0.25F * surfacePixels < gpu::kThinShare * object.area;
+}
+
+/// @param calm  the level follows the budget with hysteresis   @param counted  the object's pixels have been counted
+Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, bool calm, bool counted) {
+  const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);
+  Budget budget{object.tau,       followsLv ? relaxedBudget(lv, view.relax) : 1.0F,
+                visibleShare(lv), visiblePixels(lv, object.area),
+                view.maxError,    object.priceFactor};
+  if (isThin(object)) budget.maxError = std::min(budget.maxError, object.tau);
+  if (calm) {
+    budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed);
+    budget.share = std::max(budget.share, gpu::kLeastCalmShare);
+    budget.pixels = std::max(budget.pixels, gpu::kLeastCalmPixels);
+  } else if (counted && !object.seen) {
+    budget.maxError = std::numeric_limits<float>::infinity();  // no pixel shows it
+  }
+  return budget;
+}
+
+/// @param margin  scales tau; below 1 also the limit of the largest deviation
+Price priceOf(const Budget& budget, float margin) {
+  const float tau = budget.tau * margin;
+  return {budget.pixels, gpu::kTrianglePrice * tau * tau * budget.priceFactor,
+          budget.maxError * std::min(margin, 1.0F)};
+}
+
+/// Level of the chain that the budget allows at tau * margin.
+std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
+  if (has(view.traits, gpu::kTraitPrice))
+    return pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin));
+  return relaxedLod(object.levels, object.pixelsPerUnit, budget.tau * margin, budget.relaxed, budget.share);
+}
+
+/// The same for the patches.
+std::uint32_t budgetTessellation(const gpu::CullView& view, const DetailInput& object, const Budget& budget,
+                                 float margin) {
+  const float errorPixels = object.patches.errorObject * object.pixelsPerUnit;
+  if (has(view.traits, gpu::kTraitPrice))
+    return pricedTessellation(errorPixels, static_cast<float>(object.patches.triangleCount), priceOf(budget, margin),
+                              view.maxTessellation);
+  return pixelErrorTessellation(errorPixels, budget.tau * margin * budget.relaxed, view.maxTessellation);
 }
 
 /// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes
 /// by one and is cross-faded. An object of which no pixel was visible switches at once to the nearest level that fits.
 void followBudget(const gpu::CullView& view, const DetailInput& object, const Budget& budget, gpu::ObjectState& state,
                   gpu::uint& marks) {
-  state.tessellation = calmTessellation(view, object, budget);
+  const float margin = view.hysteresis;
+  state.tessellation = stepTowards(object.last.tessellation, budgetTessellation(view, object, budget, margin),
+                                   budgetTessellation(view, object, budget, 1.0F / margin));
   state.lod = object.last.lod;
   const gpu::uint left = std::min(fadeFrames(marks), view.fadeFrames + 1);  // the fade may have begun with more frames
   if (object.seen && left > 1) {
@@ -132,11 +228,8 @@ void followBudget(const gpu::CullView& view, const DetailInput& object, const Bu
     return;
   }
   marks &= ~gpu::kMarkFadeMask;
-  const std::uint32_t finest =
-      relaxedLod(object.levels, object.pixelsPerUnit, budget.tau / view.hysteresis, budget.relaxed, budget.share);
-  const std::uint32_t coarsest = std::max(
-      finest,
-      relaxedLod(object.levels, object.pixelsPerUnit, budget.tau * view.hysteresis, budget.relaxed, budget.share));
+  const std::uint32_t finest = budgetLod(view, object, budget, 1.0F / margin);
+  const std::uint32_t coarsest = std::max(finest, budgetLod(view, object, budget, margin));
   state.lod =
       object.seen ? stepTowards(object.last.lod, finest, coarsest) : std::clamp(object.last.lod, finest, coarsest);
   if (object.seen && state.lod != object.last.lod && !has(view.traits, gpu::kTraitPatches) && view.fadeFrames > 0)
@@ -154,15 +247,12 @@ void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::Obj
     state.lod = linearLod(state.lv, static_cast<std::uint32_t>(object.levels.size()));
     state.tessellation = tessellationLevel(state.lv, view.maxTessellation);
   } else if (followsError) {
-    Budget budget{object.tau, followsLv ? relaxedBudget(state.lv, view.relax) : 1.0F, visibleShare(state.lv)};
+    const Budget budget = budgetOf(view, object, state.lv, calm, (marks & gpu::kMarkCounted) != 0);
     if (calm) {
-      budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed);
-      budget.share = std::max(budget.share, gpu::kLeastCalmShare);
       followBudget(view, object, budget, state, marks);
     } else {
-      state.lod = relaxedLod(object.levels, object.pixelsPerUnit, budget.tau, budget.relaxed, budget.share);
-      state.tessellation = pixelErrorTessellation(object.patchError * object.pixelsPerUnit, budget.tau * budget.relaxed,
-                                                  view.maxTessellation);
+      state.lod = budgetLod(view, object, budget, 1.0F);
+      state.tessellation = budgetTessellation(view, object, budget, 1.0F);
     }
   }
   const bool same = has(view.traits, gpu::kTraitPatches) ? state.tessellation == object.last.tessellation

@@ -34,15 +34,19 @@ float relaxedBudget(float lv, float relax);
 /// share s = min((visible + kPixelGuard) / (kSilhouetteShare * area + kPixelGuard), 1).
 float pixelsLv(float visible, float area);
 
+/// Visible pixels of an object with a level of visibility, the inverse of pixelsLv: at most the share of the rectangle
+/// that an object in full sight is taken to fill. @param area  of the bounding rectangle, pixels
+float visiblePixels(float lv, float area);
+
 /// LV smoothed over time: one step from the last frame's value towards the measured one. The step is larger when the
 /// object becomes visible (kSmoothAppearing) than when it becomes occluded (kSmoothHiding).
 float smoothLv(float last, float measured);
 /// LV of an object out of view, which cannot be measured: one step from the last frame's value towards fully visible.
 float forgottenLv(float last);
 
-/// Pixels that an error of one object-space unit can cover: scale * focalPixels / max(distance - radius, zNear).
-/// @param scale  world units per object unit   @param distance  from the eye to the centre of the bounding sphere
-float projectedScale(float scale, float focalPixels, float distance, float radius, float zNear);
+/// Pixels that an error of one object-space unit can cover: scale * focalPixels / max(distance, zNear).
+/// @param scale  world units per object unit   @param distance  from the eye to the nearest point of the world box
+float projectedScale(float scale, float focalPixels, float distance, float zNear);
 
 /// Coarsest level with errorObject * pixelsPerUnit <= tau; 0 if none. A level of unknown (infinite) error never
 /// qualifies.
@@ -51,6 +55,22 @@ std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUni
 /// Level between the ones that tau and tau * relaxed allow, with the least share * (error / tau)^2 + triangles /
 /// (triangles at tau). A coarser level that saves few triangles is not worth its error. @param share  visible, (0, 1]
 std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau, float relaxed, float share);
+
+/// What the error and the triangles of one object cost (docs/lod_selection.md).
+struct Price {
+  float pixels = 0.0F;       ///< of the object, visible
+  float perTriangle = 0.0F;  ///< pixels of area times pixels of error
+  float maxError = 0.0F;     ///< limit of the largest deviation, pixels; may be infinite
+};
+
+/// Level with the least (pixels + 1) * min(mean error, kErrorCap) + perTriangle * triangles, the finer one of equals.
+/// Levels beyond the limit of the largest deviation and those of unknown error do not count; LOD 0 always does.
+std::uint32_t pricedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, const Price& price);
+
+/// The same over the tessellation levels n of a patch base, whose error falls with n^2; in [1, maxLevel]. The finest
+/// where all are beyond the limit.
+/// @param errorPixels  of the untessellated base   @param triangles  of the base   @pre maxLevel >= 1
+std::uint32_t pricedTessellation(float errorPixels, float triangles, const Price& price, std::uint32_t maxLevel);
 
 /// Lowest level in [1, maxLevel] whose triangles stay within tau of the curved surface: errorPixels / level^2 <= tau.
 /// @param errorPixels  projected gap between the untessellated base and its curved surface
@@ -67,12 +87,16 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 /// What the choice of detail needs to know of an object besides the view.
 struct DetailInput {
   std::span<const gpu::Lod> levels;  ///< of the chain, LOD 0 first
-  float patchError = 0.0F;           ///< errorObject of the patch base
+  gpu::Lod patches{};                ///< the patch base
   float pixelsPerUnit = 0.0F;        ///< as gpu::ScreenBox
   float tau = 0.0F;                  ///< as gpu::ScreenBox
+  float area = 0.0F;                 ///< of the bounding rectangle, pixels; of the screen if there is no rectangle
+  float surfaceObject = 0.0F;        ///< as gpu::Chain
+  float priceFactor = 1.0F;          ///< of kTrianglePrice, from the budget of triangles
   bool seen = false;                 ///< a pixel of the last frame showed the object, or no count says
   gpu::ObjectState last{};           ///< of the last frame, where the marks have kMarkKnown or kMarkRemembered
 };
+/// The area is that of the rectangle.
 DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, const gpu::ScreenBox& box, bool seen,
                         const gpu::ObjectState& last);
 

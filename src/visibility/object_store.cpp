@@ -2,6 +2,7 @@
 #include "visibility/object_store.h"
 
 #include "shared/frame_structs.h"
+#include "visibility/price_control.h"
 #include "visibility/storage.h"
 
 namespace jalousie::visibility {
@@ -13,11 +14,15 @@ ObjectStore::ObjectStore(std::uint32_t count, std::uint32_t cells)
       pixelCounts(makeStorage(sizeof(gpu::uint) * count, GL_DYNAMIC_STORAGE_BIT, "pixels per object")),
       cellCount(cells),
       cellStates(makeStorage(sizeof(gpu::ObjectState) * cells, GL_DYNAMIC_STORAGE_BIT, "cell states")),
-      cellMarks(makeStorage(sizeof(gpu::uint) * cells, GL_DYNAMIC_STORAGE_BIT, "cell marks")) {}
+      cellMarks(makeStorage(sizeof(gpu::uint) * cells, GL_DYNAMIC_STORAGE_BIT, "cell marks")),
+      price(sizeof(gpu::PriceState), GL_DYNAMIC_STORAGE_BIT, "price") {
+  price.writeValue(firstPrice());
+}
 
 void ObjectStore::forget() {
   marks.clear();
   cellMarks.clear();
+  price.writeValue(firstPrice());
 }
 
 }  // namespace jalousie::visibility

@@ -13,7 +13,7 @@ struct ObjectStore {
   /// All zero: no history. Allocates everything; nothing is allocated later. Errors: kLimit.
   explicit ObjectStore(std::uint32_t objectCount, std::uint32_t cellCount = 0);
 
-  /// Forgets what was visible in the last frame.
+  /// Forgets what was visible in the last frame, and the price.
   void forget();
 
   std::uint32_t objectCount;
@@ -24,6 +24,7 @@ struct ObjectStore {
   std::uint32_t cellCount;
   gl::Buffer cellStates;     ///< gpu::ObjectState [cellCount]
   gl::Buffer cellMarks;      ///< kMark... [cellCount]
+  gl::Buffer price;          ///< gpu::PriceState, moved where a frame has a budget of triangles
   bool countsValid = false;  ///< pixelCounts were made in the last frame
 };
 

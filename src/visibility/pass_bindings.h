@@ -33,6 +33,7 @@ struct ObjectBuffers {
   const gl::Buffer* states = nullptr;  ///< gpu::ObjectState [objectCount]
   const gl::Buffer* boxes = nullptr;   ///< gpu::ScreenBox [objectCount]
   const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
+  const gl::Buffer* price = nullptr;   ///< gpu::PriceState, which StatisticsPass moves
 
   // Of the cells; null where the scene has none.
   const gl::Buffer* cellStates = nullptr;  ///< gpu::ObjectState [cellCount]
@@ -40,7 +41,7 @@ struct ObjectBuffers {
 
   /// What draw lists are made of: states and marks of the cells, where there are any.
   ObjectBuffers drawn() const {
-    return cellMarks == nullptr ? *this : ObjectBuffers{view, cellStates, boxes, cellMarks};
+    return cellMarks == nullptr ? *this : ObjectBuffers{view, cellStates, boxes, cellMarks, price};
   }
 };
 

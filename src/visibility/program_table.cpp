@@ -31,6 +31,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"count cells", {"visibility/count_cells.comp"}, {}},
       {"count states of cells", {"visibility/count_states.comp"}, {"JAL_CELLS"}},
       {"mark ghosts of cells", {"visibility/mark_ghosts.comp"}, {"JAL_CELLS"}},
+      {"adjust price", {"visibility/adjust_price.comp"}, {}},
   };
   return kPrograms;
 }

@@ -34,6 +34,7 @@ enum class ProgramId : unsigned {
   kCountCells,
   kCountStatesOfCells,  ///< kCountStates in scenes with cells
   kMarkGhostsOfCells,
+  kAdjustPrice,
 };
 
 /// All programs, in the order of ProgramId.

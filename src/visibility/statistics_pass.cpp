@@ -25,6 +25,7 @@ StatisticsPass::StatisticsPass(const gl::ShaderLibrary& shaders)
     : countProgram_(programSource(ProgramId::kCountStates), shaders),
       countCellsProgram_(programSource(ProgramId::kCountCells), shaders),
       countStatesOfCellsProgram_(programSource(ProgramId::kCountStatesOfCells), shaders),
+      adjustProgram_(programSource(ProgramId::kAdjustPrice), shaders),
       counters_(sizeof(FrameCounters), 0, "frame counters"),
       mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
       memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}
@@ -40,8 +41,10 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   ++frame_;
   const std::size_t index = frame_ % slots_.size();
   Slot& slot = slots_[index];
-  if (slot.fence != nullptr && !collect(slot, index, 0)) return;
-  if (view.objectCount > 0) count(scene, decided, view, early, late);
+  const bool hasRoom = slot.fence == nullptr || collect(slot, index, 0);
+  if (hasRoom || view.triangleBudget > 0) count(scene, decided, view, early, late);
+  if (view.triangleBudget > 0) adjustPrice(decided);
+  if (!hasRoom) return;
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);
   constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
   constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
@@ -57,6 +60,7 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
 
 void StatisticsPass::count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                            const DrawList* early, const DrawList& late) {
+  if (view.objectCount == 0) return;
   counters_.clear();
   decided.view->bindUniform(gpu::kBindingCullView);
   counters_.bindStorage(gpu::kBindingCounters);
@@ -73,7 +77,7 @@ void StatisticsPass::count(const SceneBindings& scene, const ObjectBuffers& deci
   (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
   late.slots().bindStorage(gpu::kBindingLateSlots);
   dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void StatisticsPass::countCells(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
@@ -89,6 +93,15 @@ void StatisticsPass::countCells(const SceneBindings& scene, const ObjectBuffers&
   decided.marks->bindStorage(gpu::kBindingObjectMarks);
   dispatchGroups((view.cellCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void StatisticsPass::adjustPrice(const ObjectBuffers& decided) {
+  adjustProgram_.use();
+  decided.view->bindUniform(gpu::kBindingCullView);
+  counters_.bindStorage(gpu::kBindingCounters);
+  decided.price->bindStorage(gpu::kBindingPriceState);
+  glDispatchCompute(1, 1, 1);
+  glMemoryBarrier(GL_UNIFORM_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs) {

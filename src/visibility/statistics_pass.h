@@ -23,7 +23,7 @@ struct FrameRecord {
 };
 
 /// Has three slots: the statistics of a frame arrive at most two frames later unless the GPU is further behind. A frame
-/// whose slot is still in flight is not counted. CPU twin of the counting: countStates.
+/// whose slot is still in flight is not recorded. CPU twin of the counting: countStates.
 class StatisticsPass {
  public:
   explicit StatisticsPass(const gl::ShaderLibrary& shaders = {});
@@ -31,8 +31,9 @@ class StatisticsPass {
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;
 
-  /// Counts the frame and copies the result. @param view  of the frame   @param early, late  its lists, built; early
-  /// may be null if it draws nothing into the frame
+  /// Counts the frame, copies the result, and moves the price where the view has a budget of triangles.
+  /// @param view  of the frame   @param early, late  its lists, built; early may be null if it draws nothing into the
+  /// frame
   void endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                 const DrawList* early, const DrawList& late);
   /// The newest statistics that have arrived; empty until the first do. Never waits.
@@ -46,6 +47,7 @@ class StatisticsPass {
     gpu::CullView view{};
     GLsync fence = nullptr;
   };
+  void adjustPrice(const ObjectBuffers& decided);
   bool collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs);
 
   void count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view, const DrawList* early,
@@ -56,6 +58,7 @@ class StatisticsPass {
   gl::Program countProgram_;
   gl::Program countCellsProgram_;
   gl::Program countStatesOfCellsProgram_;
+  gl::Program adjustProgram_;
   gl::Buffer counters_;
   gl::Buffer mapped_;
   const gpu::uint* memory_ = nullptr;

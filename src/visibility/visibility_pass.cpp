@@ -98,7 +98,7 @@ void VisibilityPass::countPixels(const gl::Texture& items) {
 }
 
 ObjectBuffers VisibilityPass::decided() const {
-  ObjectBuffers buffers{&view_, &objects_.states, &objects_.boxes, &objects_.marks};
+  ObjectBuffers buffers{&view_, &objects_.states, &objects_.boxes, &objects_.marks, &objects_.price};
   if (objects_.cellCount == 0) return buffers;
   buffers.cellStates = &objects_.cellStates;
   buffers.cellMarks = &objects_.cellMarks;
@@ -125,6 +125,7 @@ void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& s
   if (objects_.objectCount == 0) return;
   program.use();
   view_.bindUniform(gpu::kBindingCullView);
+  objects_.price.bindUniform(gpu::kBindingPrice);
   scene.transforms->bindStorage(gpu::kBindingTransforms);
   scene.objects->bindStorage(gpu::kBindingObjects);
   scene.chains->bindStorage(gpu::kBindingChains);

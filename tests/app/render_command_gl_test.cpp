@@ -145,6 +145,9 @@ TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
       {"--mode", "hom", "--lod", "lv-error", "--view", "occlusion", "--lv", "pixels"},
       {"--mode", "hom", "--lod", "linear", "--lv", "coverage"},
       {"--mode", "frustum", "--importance", "MASK"},
+      {"--lod", "price", "--tau", "2", "--max-error", "0"},
+      {"--lod", "price", "--triangles", "3000", "--detail", "tessellation", "--max-tessellation", "3"},
+      {"--lod", "price", "--calm", "--max-error", "4", "--mode", "frustum", "--importance", "MASK"},
   };
   asset::savePng({2, 1, {0, 0, 0, 255, 255, 255, 255, 255}}, file("mask.png"));
   for (std::vector<std::string> arguments : variants) {
@@ -234,6 +237,10 @@ TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
       {"--lod", "finest", "--tau", "3"},
       {"--tau", "-1"},
       {"--lod", "pixel-error", "--relax", "3"},
+      {"--lod", "price", "--relax", "3"},
+      {"--lod", "lv-error", "--max-error", "3"},
+      {"--lod", "lv-error", "--triangles", "3000"},
+      {"--lod", "price", "--triangles", "-1"},
       {"--lod", "pixel-error", "--lv", "chord"},
       {"--lod", "lv-error", "--lv", "chord", "--mode", "frustum"},
       {"--calm", "--lod", "finest"},

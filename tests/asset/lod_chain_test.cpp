@@ -59,6 +59,25 @@ TEST(LodChain, MeasuresSurviveAFile) {
   EXPECT_EQ(info->measures->stop, "enough");
 }
 
+TEST(LodChain, AMeanIsAFiniteLengthUpToTheMaximum) {
+  const auto read = [](double max, double mean) {
+    LodMeasures measures{10.0, {0.5, 0.25}, {0.75, 0.125}, {max, mean}, {3.0, 9.0}, {0.01, 0.03}, 0.5, ""};
+    tinygltf::Mesh mesh;
+    setLodInfo(mesh, {2, 25, 15, 0.75, measures});
+    try {
+      lodInfo(mesh);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(read(0.75, 0.75), "");
+  EXPECT_EQ(read(0.75, 0.75 * (1.0 + 1e-9)), "") << "rounding of a mean of equal distances";
+  EXPECT_EQ(read(0.75, 0.76), "extras.jalousie.twoSided: the mean is larger than the maximum");
+  EXPECT_EQ(read(0.75, -0.1), "extras.jalousie.mean is negative");
+  EXPECT_EQ(read(0.75, std::nan("")), "extras.jalousie.mean is no finite float");
+}
+
 TEST(LodChain, InfoKeepsOtherExtras) {
   tinygltf::Mesh mesh;
   mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"author", tinygltf::Value(std::string("someone"))}});

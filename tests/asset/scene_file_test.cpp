@@ -62,7 +62,9 @@ TEST(SceneFile, LevelsAreNoInstances) {
     tinygltf::Model model = oneTriangle();
     for (std::uint32_t lod = 1; lod < 3; ++lod) {
       const int mesh = addTriangle(model, glm::vec3(0.0F, 0.0F, static_cast<float>(lod)));
-      setLodInfo(model.meshes[static_cast<std::size_t>(mesh)], {lod, 1, 3, 0.5 * lod});
+      LodInfo info{lod, 1, 3, 0.5 * lod};
+      if (lod == 1) info.measures.emplace().twoSided = {0.5, 0.2};
+      setLodInfo(model.meshes[static_cast<std::size_t>(mesh)], info);
       addNode(model, mesh);
     }
     setLodChain(model, 0, std::vector<int>{1, 2}, std::vector<float>{0.5F, 0.2F, 0.0F});
@@ -76,6 +78,8 @@ TEST(SceneFile, LevelsAreNoInstances) {
     EXPECT_EQ(scene.chains[0].name, "thing");
     ASSERT_EQ(scene.chains[0].levels.size(), 3U);
     EXPECT_FLOAT_EQ(scene.chains[0].levels[2].errorObject, 1.0F);
+    EXPECT_EQ(scene.chains[0].levels[1].meanErrorObject, std::optional(0.2F));
+    EXPECT_EQ(scene.chains[0].levels[2].meanErrorObject, std::nullopt) << "a file of format 1";
     EXPECT_EQ(scene.meshes.size(), 3U);
   }
 }

@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
+#include <numbers>
 
 #include "asset/scene_file.h"
 #include "core/error.h"
@@ -52,6 +54,34 @@ TEST(SceneData, ErrorsAndBoundsFollowTheChain) {
     EXPECT_GT(scene.lods[chain.firstLod + k].errorObject, scene.lods[chain.firstLod + k - 1].errorObject);
   EXPECT_NEAR(chain.boundsMaxObject.y, 1.0F, 1e-6F);
   EXPECT_NEAR(chain.boundsMinObject.y, -1.0F, 1e-6F);
+}
+
+TEST(SceneData, MeanErrorsAscendAndFallBackOnTheLargest) {
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
+  asset::SceneFile file = test::sphereChain(5);
+  std::vector<asset::LodLevel>& levels = file.chains[0].levels;
+  const float largest[] = {0.0F, 1.0F, 2.0F, kUnknown, 5.0F};
+  for (std::size_t k = 0; k < 5; ++k)
+    levels[k].errorObject = largest[k];
+  levels[1].meanErrorObject = 0.5F;
+  levels[2].meanErrorObject = 0.25F;
+  const auto means = [&] {
+    const SceneData scene = buildScene(file, {.patches = true});
+    std::vector<float> result;
+    for (const gpu::Lod& lod : scene.lods)
+      result.push_back(lod.meanErrorObject);
+    EXPECT_EQ(result.back(), scene.lods.back().errorObject) << "the patch base";
+    result.pop_back();
+    return result;
+  };
+  EXPECT_EQ(means(), (std::vector<float>{0.0F, 0.5F, 0.5F, kUnknown, 5.0F}));
+  levels[1].meanErrorObject = 3.0F;
+  EXPECT_EQ(means()[1], 1.0F) << "never above the largest";
+}
+
+TEST(SceneData, TheSurfaceIsThatOfTheFinestLevel) {
+  const SceneData scene = buildScene(test::sphereChain(4));
+  EXPECT_NEAR(scene.chains[0].surfaceObject, 4.0F * std::numbers::pi_v<float>, 0.05F);
 }
 
 TEST(SceneData, TransformsAreKept) {

@@ -40,8 +40,7 @@ void addLoss(CullingLoss& loss, const std::vector<std::uint32_t>& ids, const std
 
 CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t height,
                       const render::FrameOptions& options, std::uint32_t firstFrame, std::uint32_t frames) {
-  const bool followsLv = options.lodRule == LodRule::kLinear || options.lodRule == LodRule::kLvError;
-  JAL_CHECK(!followsLv);
+  JAL_CHECK(!rowOf(options.lodRule).followsLv);
   render::FrameRenderer renderer(journey.scene, width, height);
   render::FrameRenderer reference(journey.scene, width, height);
   render::FrameOptions everything = options;

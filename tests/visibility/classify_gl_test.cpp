@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -82,11 +83,10 @@ std::set<gpu::uint> plausibleVerdicts(const Bracket& bracket, const gpu::CullVie
   return verdicts;
 }
 
-/// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the difference of a distance and a radius.
+/// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the distance to the box.
 float scaleError(const Bracket& bracket, const gpu::CullView& view) {
-  const BoxOnScreen& box = bracket.boxes[1];
-  const float distance = glm::distance(glm::vec3(view.cameraWorld), box.centerWorld);
-  const float denominator = std::max(distance - box.radiusWorld, view.cameraWorld.w);
+  const float distance = distanceToBox(glm::vec3(view.cameraWorld), bracket.boxes[1].boundsWorld);
+  const float denominator = std::max(distance, view.cameraWorld.w);
   return kFewUlps + 2.0F * bracket.worldError / denominator;
 }
 
@@ -112,8 +112,8 @@ std::vector<LastFrame> randomHistory(const SceneData& scene, const gpu::CullView
   Random random(31);
   for (std::size_t i = 0; i < last.size(); ++i) {
     const gpu::Chain& chain = scene.chains[scene.objects[i].chain];
-    last[i].state = {gpu::kVerdictPartial, random.below(chain.lodCount), 1 + random.below(view.maxTessellation),
-                     random.uniform(-1.5F, 1.0F)};
+    last[i].state = {random.below(3) == 0 ? gpu::kVerdictOpen : gpu::kVerdictPartial, random.below(chain.lodCount),
+                     1 + random.below(view.maxTessellation), random.uniform(-1.5F, 1.0F)};
     constexpr gpu::uint kHistories[] = {0, gpu::kMarkTested, gpu::kMarkTested | gpu::kMarkVisible, gpu::kMarkVisible};
     last[i].marks = kHistories[random.below(4)];
     if (random.below(2) == 0) last[i].marks |= random.below(2) == 0 ? gpu::kMarkEarly : gpu::kMarkLate;
@@ -169,9 +169,10 @@ struct Case {
 /// Whether the kernel's level is one that the twin chooses for a budget within its error. Levels follow from
 /// tau / pixelsPerUnit and from the visible share, in which the rectangle's area counts once.
 bool hasPlausibleLevel(const Case& c, const ObjectDecision& actual, float error) {
-  for (const float sign : {-1.0F, 0.0F, 1.0F}) {
+  for (int signs = 0; signs < 9; ++signs) {
     gpu::CullView changed = c.view;
-    changed.tau *= 1.0F + sign * error;
+    changed.tau *= 1.0F + static_cast<float>(signs % 3 - 1) * error;
+    changed.maxError *= 1.0F + static_cast<float>(signs / 3 - 1) * error;
     const ObjectDecision expected = classifyObject(c.scene, changed, c.object, c.last, c.importance);
     if (actual.state.lod == expected.state.lod && actual.state.tessellation == expected.state.tessellation)
       return actual.marks == expected.marks;
@@ -192,7 +193,10 @@ void compareObject(const Case& c, const ObjectDecision& actual) {
                               ? (bracket.area(2) - bracket.area(0)) / std::max(bracket.area(0), 1.0F)
                               : 0.0F;
   EXPECT_NEAR(actual.state.lv, expected.state.lv, 2.0F * areaError + kFewUlps);
-  EXPECT_TRUE(hasPlausibleLevel(c, actual, areaError + scaleError(bracket, c.view)))
+  // Pixels that follow from LV are off by a rounding of LV times the area; at least one pixel counts.
+  const float area = hasRect ? bracket.area(1) : static_cast<float>(c.view.viewportWidth * c.view.viewportHeight);
+  const float pixelError = has(c.view.traits, gpu::kTraitPrice) ? kFewUlps * area : 0.0F;
+  EXPECT_TRUE(hasPlausibleLevel(c, actual, areaError + pixelError + scaleError(bracket, c.view)))
       << "lod " << actual.state.lod << " for " << expected.state.lod << ", tessellation " << actual.state.tessellation
       << " for " << expected.state.tessellation << ", marks " << actual.marks << " for " << expected.marks;
   if (hasRect) expectPlausibleBox(actual.box, expected.box, bracket, c.view);
@@ -299,13 +303,13 @@ TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
   for (const CullMode mode : {CullMode::kFrustum, CullMode::kHom, CullMode::kHiz}) {
     for (const LvMeasure measure : {LvMeasure::kChord, LvMeasure::kPixels}) {
       for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
-        for (const gpu::uint calm : {0U, 1U}) {
-          gpu::CullView view =
-              makeView(scene, camera, {640, 360}, 20.0F,
-                       {.cullMode = mode, .lodRule = LodRule::kLvError, .lvMeasure = measure, .detail = detail});
+        for (const gpu::uint calm : {0U, 1U, 2U, 3U}) {
+          const LodRule rule = calm < 2 ? LodRule::kLvError : LodRule::kPrice;
+          gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F,
+                                        {.cullMode = mode, .lodRule = rule, .lvMeasure = measure, .detail = detail});
           view.relax = 64.0F;
           view.tau = 0.3F;
-          view.calm = calm;
+          view.calm = calm % 2;
           compareClassification(scene, view);
           compareClassification(scene, view, nullptr, false);
           view.hysteresis = 1.3F;
@@ -313,6 +317,43 @@ TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
             view.fadeFrames = frames;
             compareClassification(scene, view);
           }
+        }
+      }
+    }
+  }
+}
+
+TEST_F(ClassifyGl, PricesAtTheirLimits) {
+  asset::SceneFile file = test::randomSpheres(300, 10.0F, 12);
+  file.chains[0].levels[2].errorObject = std::numeric_limits<float>::infinity();  // unknown
+  for (std::size_t k = 1; k < 4; ++k)
+    file.chains[0].levels[k].meanErrorObject = 0.1F * file.chains[0].levels[k].errorObject;
+  file.chains.push_back({"one level", {file.chains[0].levels[0]}});
+  for (std::size_t i = 0; i < file.instances.size(); i += 5)
+    file.instances[i].chain = 1;
+  const SceneData scene = scene::buildScene(file, {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float tau : {0.0F, 1e-20F, 1.0F, 1000.0F, 1e19F, kInfinity, std::nanf("")}) {
+    for (const float maxError : {0.5F, 8.0F, kInfinity}) {
+      for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
+        gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F, {.lodRule = LodRule::kPrice, .detail = detail});
+        view.tau = tau;
+        view.maxError = maxError;
+        SCOPED_TRACE(testing::Message() << "tau " << tau << ", largest deviation " << maxError);
+        std::vector<LastFrame> last = randomHistory(scene, view);
+        for (std::size_t i = 0; i < last.size(); i += 7)
+          last[i].pixels = 0xffffffffU;
+        const std::vector<ObjectDecision> actual = runKernel(scene, view, last, nullptr);
+        for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
+          EXPECT_LT(actual[i].state.lod, scene.chains[scene.objects[i].chain].lodCount);
+          EXPECT_NE(actual[i].state.lod, 2U) << "of unknown error";
+          EXPECT_GE(actual[i].state.tessellation, 1U);
+          EXPECT_LE(actual[i].state.tessellation, view.maxTessellation);
+          const ObjectDecision expected = classifyObject(scene, view, i, last[i]);
+          EXPECT_EQ(actual[i].state.verdict, expected.state.verdict);
+          if (!std::isfinite(tau)) continue;
+          compareObject({scene, view, i, last[i], nullptr}, actual[i]);
         }
       }
     }

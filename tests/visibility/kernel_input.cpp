@@ -23,6 +23,7 @@ gpu::CullView makeView(const scene::SceneData& scene, const scene::Camera& camer
   view.maxTessellation = gpu::kMaxTessellationLevel;
   view.focalPixels = scene::focalPixels(camera, size.height);
   view.tau = 1.0F;
+  view.maxError = gpu::kDefaultMaxError;
   view.hysteresis = gpu::kDefaultHysteresis;
   view.fadeFrames = gpu::kDefaultFadeFrames;
   return view;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "policy/frame_policy.h"
@@ -43,18 +44,25 @@ TEST(LodPolicy, DetailNeverGrowsWithHiddenness) {
 }
 
 TEST(PixelError, ProjectedScaleIsTheFormula) {
-  EXPECT_FLOAT_EQ(projectedScale(2.0F, 600.0F, 13.0F, 3.0F, 0.1F), 120.0F);
-  EXPECT_FLOAT_EQ(projectedScale(1.0F, 600.0F, 1.0F, 3.0F, 0.1F), 6000.0F) << "inside the sphere the near plane counts";
+  EXPECT_FLOAT_EQ(projectedScale(2.0F, 600.0F, 10.0F, 0.1F), 120.0F);
+  EXPECT_FLOAT_EQ(projectedScale(1.0F, 600.0F, 0.0F, 0.1F), 6000.0F) << "inside the box the near plane counts";
 }
 
 std::vector<gpu::Lod> levelsWithErrors(std::initializer_list<float> errors) {
   std::vector<gpu::Lod> levels;
   for (const float error : errors) {
     levels.emplace_back();
-    levels.back().errorObject = error;
+    levels.back().errorObject = levels.back().meanErrorObject = error;
     levels.back().triangleCount = 1U << (20 - levels.size());
   }
   return levels;
+}
+
+gpu::Lod patchBase(float error) {
+  gpu::Lod lod{};
+  lod.errorObject = lod.meanErrorObject = error;
+  lod.triangleCount = 100;
+  return lod;
 }
 
 TEST(PixelError, TakesTheCoarsestLevelWithinTau) {
@@ -114,11 +122,11 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   box.tau = 1.0F;
   gpu::uint marks = 0;
   gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
-  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, open, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, 1.0F, true, {}}, open, marks);
   EXPECT_EQ(open.lod, 1U);
   EXPECT_EQ(open.tessellation, 10U);
   gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
-  chooseDetail(view, {levels, 1.0F, box.pixelsPerUnit, box.tau, true, {}}, hidden, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, 1.0F, true, {}}, hidden, marks);
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
   EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
@@ -137,6 +145,119 @@ TEST(LvError, ACoarserLevelMustSaveWhatItsErrorCosts) {
   EXPECT_EQ(relaxedLod(levels, 1.0F, 0.0F, 10.0F, 0.1F), 0U);
 }
 
+/// A baked dragon: triangles, and largest and mean deviation in percent of its diagonal.
+std::vector<gpu::Lod> dragonLevels() {
+  struct Row {
+    std::uint32_t triangles;
+    float largest, mean;
+  };
+  constexpr Row kRows[] = {{202434, 0, 0},
+                           {101217, 1.0720F, 0.00377F},
+                           {50608, 1.0764F, 0.00931F},
+                           {25304, 1.0917F, 0.01849F},
+                           {12652, 1.1044F, 0.03232F},
+                           {6325, 1.5905F, 0.05483F},
+                           {3163, 1.5905F, 0.09661F},
+                           {1582, 1.8608F, 0.18318F},
+                           {790, 4.6919F, 0.42314F},
+                           {562, 10.3131F, 1.24489F}};
+  std::vector<gpu::Lod> levels;
+  for (const Row& row : kRows) {
+    levels.emplace_back();
+    levels.back().triangleCount = row.triangles;
+    levels.back().errorObject = 0.01F * row.largest;
+    levels.back().meanErrorObject = 0.01F * row.mean;
+  }
+  return levels;
+}
+
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
+
+/// Levels chosen from far to near. The object fills a fifth of the square over its diagonal.
+template <class Rule>
+std::set<std::uint32_t> levelsOfAnApproach(const Rule& rule) {
+  std::set<std::uint32_t> chosen;
+  std::uint32_t last = ~0U;
+  for (float diagonalPixels = 0.5F; diagonalPixels < 2e6F; diagonalPixels *= 1.02F) {
+    const std::uint32_t level = rule(diagonalPixels, 0.2F * diagonalPixels * diagonalPixels);
+    EXPECT_LE(level, last) << diagonalPixels;
+    chosen.insert(last = level);
+  }
+  return chosen;
+}
+
+TEST(Price, TakesEveryStoredLevelAtSomeDistance) {
+  const auto levels = dragonLevels();
+  const float price = gpu::kTrianglePrice;
+  const std::set<std::uint32_t> chosen = levelsOfAnApproach([&](float scale, float pixels) {
+    return pricedLod(levels, scale, {pixels, price, kUnlimited});
+  });
+  EXPECT_EQ(chosen.size(), levels.size());
+  const std::set<std::uint32_t> limited = levelsOfAnApproach([&](float scale, float pixels) {
+    return pricedLod(levels, scale, {pixels, price, gpu::kDefaultMaxError});
+  });
+  EXPECT_EQ(limited.size(), levels.size());
+  const std::set<std::uint32_t> byLargest =
+      levelsOfAnApproach([&](float scale, float) { return pixelErrorLod(levels, scale, 1.0F); });
+  EXPECT_FALSE(byLargest.contains(5)) << "the largest deviation of level 6 is the same";
+}
+
+TEST(Price, IsTheLeastSumOfVisibleErrorAndTriangles) {
+  auto levels = levelsWithErrors({0.0F, 0.5F, 1.0F, 8.0F});
+  const std::uint32_t triangles[] = {8000, 4000, 2000, 100};
+  for (std::size_t k = 0; k < 4; ++k)
+    levels[k].triangleCount = triangles[k];
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.01F, kUnlimited}), 0U) << "80, 90, 120, 201";
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.02F, kUnlimited}), 1U) << "160, 130, 140, 202";
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.03F, kUnlimited}), 2U) << "240, 170, 160, 203";
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.06F, kUnlimited}), 3U) << "480, 290, 220, 206: the error has its cap";
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.06F, 7.9F}), 2U) << "beyond the limit";
+  EXPECT_EQ(pricedLod(levels, 1.0F, {0.0F, 0.01F, kUnlimited}), 3U) << "no pixel shows it";
+  levels[2].triangleCount = 3000;
+  EXPECT_EQ(pricedLod(levels, 1.0F, {99.0F, 0.05F, 7.9F}), 1U) << "equal: the finer one";
+}
+
+TEST(Price, OddInputTakesALevelOfTheChain) {
+  const float nan = std::nanf("");
+  const auto unknown = levelsWithErrors({0.0F, kUnlimited, kUnlimited});
+  EXPECT_EQ(pricedLod(unknown, 1.0F, {0.0F, 1000.0F, kUnlimited}), 0U) << "unknown errors are never chosen";
+  EXPECT_EQ(pricedLod(unknown, 0.0F, {0.0F, 1000.0F, kUnlimited}), 0U);
+  const auto levels = levelsWithErrors({0.0F, 0.5F, 1.0F});
+  EXPECT_EQ(pricedLod(levels, 1.0F, {10.0F, 0.0F, kUnlimited}), 0U) << "triangles for nothing";
+  EXPECT_EQ(pricedLod(levels, nan, {10.0F, 1.0F, kUnlimited}), 0U);
+  EXPECT_EQ(pricedLod(levels, 1.0F, {nan, 1.0F, kUnlimited}), 0U);
+  EXPECT_EQ(pricedLod(levels, 1.0F, {10.0F, nan, kUnlimited}), 0U);
+  EXPECT_EQ(pricedLod(levels, 1.0F, {10.0F, 1.0F, nan}), 0U);
+  EXPECT_EQ(pricedLod(levels, 1.0F, {4e9F, 1e-9F, kUnlimited}), 0U);
+  EXPECT_EQ(pricedLod(levels, kUnlimited, {0.0F, 1e9F, kUnlimited}), 2U) << "as wrong as it can be, and cheap";
+  EXPECT_EQ(pricedLod(levelsWithErrors({0.0F}), 1.0F, {0.0F, 1e9F, kUnlimited}), 0U);
+}
+
+TEST(Price, TessellationWeighsItsTrianglesToo) {
+  EXPECT_EQ(pricedTessellation(16.0F, 100.0F, {1000.0F, 0.0F, kUnlimited}, 20), 20U);
+  EXPECT_EQ(pricedTessellation(16.0F, 100.0F, {0.0F, 1000.0F, kUnlimited}, 20), 1U);
+  EXPECT_EQ(pricedTessellation(16.0F, 100.0F, {0.0F, 1000.0F, 1.0F}, 20), 4U) << "the limit of the deviation";
+  EXPECT_EQ(pricedTessellation(16.0F, 100.0F, {0.0F, 1000.0F, 0.0F}, 20), 20U);
+  EXPECT_EQ(pricedTessellation(16.0F, 100.0F, {0.0F, 1.0F, kUnlimited}, 1), 1U);
+  EXPECT_EQ(pricedTessellation(std::nanf(""), 100.0F, {10.0F, 1.0F, kUnlimited}, 20), 20U);
+  std::uint32_t last = 20;
+  for (float price = 1e-4F; price < 10.0F; price *= 1.5F) {
+    const std::uint32_t level = pricedTessellation(16.0F, 100.0F, {1000.0F, price, kUnlimited}, 20);
+    EXPECT_LE(level, last);
+    last = level;
+  }
+  EXPECT_LT(last, 3U);
+}
+
+TEST(Price, PixelsAreThoseThatLvCameFrom) {
+  for (const float area : {100.0F, 5000.0F, 200000.0F})
+    for (const float pixels : {0.0F, 1.0F, 7.0F, 49.0F})
+      EXPECT_NEAR(visiblePixels(pixelsLv(pixels, area), area), pixels, 0.02F) << area;
+  EXPECT_FLOAT_EQ(visiblePixels(-1.0F, 1000.0F), 500.0F);
+  EXPECT_FLOAT_EQ(visiblePixels(-1.8F, 1000.0F), 500.0F) << "LV may lie below -1";
+  EXPECT_EQ(visiblePixels(1.0F, 1000.0F), 0.0F);
+}
+
 /// One object whose budget an outside force changes from frame to frame.
 struct CalmObject {
   explicit CalmObject(Detail detail = Detail::kDiscrete) {
@@ -152,7 +273,8 @@ struct CalmObject {
     box.tau = tau;
     marks = gpu::kMarkKnown | gpu::kMarkRemembered | (marks & gpu::kMarkFadeMask);
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, state.lv};
-    chooseDetail(view, {levels, 40.0F, box.pixelsPerUnit, box.tau, seen, state}, next, marks);
+    chooseDetail(view, {levels, patchBase(40.0F), box.pixelsPerUnit, box.tau, area, 1e6F, 1.0F, seen, state}, next,
+                 marks);
     state = next;
   }
   bool switched() const { return (marks & gpu::kMarkSwitched) != 0; }
@@ -160,6 +282,7 @@ struct CalmObject {
   std::vector<gpu::Lod> levels = levelsWithErrors({0.0F, 1.0F, 2.0F, 4.0F, 8.0F});
   gpu::CullView view{};
   gpu::ScreenBox box{};
+  float area = 10000.0F;  // pixels
   gpu::ObjectState state{gpu::kVerdictPartial, 2, 5, -1.0F};
   gpu::uint marks = 0;
 };
@@ -232,7 +355,9 @@ TEST(Calm, AFadeEndsWithTheCalmFrames) {
     object.view.traits = traitsOf(rule.id);
     gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
-    chooseDetail(object.view, {object.levels, 40.0F, object.box.pixelsPerUnit, object.box.tau, true, object.state},
+    chooseDetail(object.view,
+                 {object.levels, patchBase(40.0F), object.box.pixelsPerUnit, object.box.tau, object.area, 1e6F, 1.0F,
+                  true, object.state},
                  next, marks);
     EXPECT_EQ(fadeFrames(marks), 0U) << rule.name;
   }
@@ -281,6 +406,64 @@ TEST(Calm, WhatNobodySawNeedNotSwitchWhenItComesIntoSight) {
   object.frame(1.0F);
   EXPECT_EQ(object.state.lod, hiddenLod);
   EXPECT_FALSE(object.switched());
+}
+
+/// One object under a price, in calm frames.
+struct PricedObject : CalmObject {
+  explicit PricedObject(Detail detail = Detail::kDiscrete) : CalmObject(detail) {
+    view.traits = traitsOf(LodRule::kPrice) | traitsOf(detail);
+    view.maxError = kUnlimited;
+    levels = dragonLevels();
+    box.pixelsPerUnit = 200.0F;
+    area = 20000.0F;
+    frame(1.0F);
+  }
+};
+
+TEST(Calm, APriceKeepsTheLevelWithinTheMarginAndThenMovesByOne) {
+  PricedObject object;
+  const std::uint32_t settled =
+      pricedLod(object.levels, object.box.pixelsPerUnit, {0.5F * object.area, gpu::kTrianglePrice, kUnlimited});
+  object.state.lod = settled;
+  object.marks = 0;  // no fade
+  for (const float tau : {1.3F, 0.8F, 1.0F, 1.5F, 0.7F}) {
+    object.frame(tau);
+    EXPECT_EQ(object.state.lod, settled) << tau;
+  }
+  object.frame(100.0F);
+  EXPECT_EQ(object.state.lod, settled + 1);
+  EXPECT_EQ(fadeFrames(object.marks), gpu::kDefaultFadeFrames);
+  PricedObject patches(Detail::kTessellation);
+  patches.state.tessellation = 5;
+  patches.frame(1e-3F);
+  EXPECT_EQ(patches.state.tessellation, 6U);
+}
+
+TEST(Calm, ThePixelsThatAppearFirstDoNotChangeThePricedLevel) {
+  PricedObject object;
+  object.state.lv = 1.0F;
+  object.frame(2.0F, false);
+  const std::uint32_t hiddenLod = object.state.lod;
+  for (const float pixels : {0.0F, 1.0F, 8.0F, 16.0F}) {
+    object.state.lv = pixelsLv(pixels, object.area);
+    object.frame(2.0F, pixels > 0.0F);
+    EXPECT_EQ(object.state.lod, hiddenLod) << pixels;
+  }
+}
+
+TEST(Calm, TheLimitOfTheDeviationHoldsForWhatNobodySees) {
+  PricedObject object;
+  object.view.maxError = 3.0F;
+  object.box.pixelsPerUnit = 1000.0F;
+  object.state.lv = 1.0F;
+  object.frame(100.0F, false);
+  EXPECT_LE(object.levels[object.state.lod].errorObject * object.box.pixelsPerUnit, 3.0F);
+  gpu::uint marks = gpu::kMarkKnown | gpu::kMarkCounted;  // not calm
+  gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, 1.0F};
+  const DetailInput unseen{object.levels, patchBase(1.0F), 1000.0F,     100.0F, object.area, 1e6F,
+                           1.0F,          false,           object.state};
+  chooseDetail(object.view, unseen, next, marks);
+  EXPECT_EQ(next.lod, 9U) << "without a visible pixel nothing is limited";
 }
 
 }  // namespace

@@ -85,6 +85,10 @@ std::optional<InspectedBlock> inspectBlock(const gpu::ScreenBox& box, render::Fr
   return measureBlock(cover, guarded(box, cover.layout(), view));
 }
 
+std::string calmReason(const gpu::CullView& view) {
+  return view.calm == 0 ? "" : " With --calm, the level changes by one step at a time and only beyond a margin.";
+}
+
 /// The level as the budget decides it.
 std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
   std::string text = fmt::format("Budget {:.3g} px: level {}.", i.tau, i.finest);
@@ -94,11 +98,21 @@ std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
   if (i.finest != i.coarsest)
     text += fmt::format(" From level {} to {}, level {} has the lowest cost of triangles and error.", i.finest,
                         i.coarsest, i.chosen);
-  if (view.calm != 0) text += " With --calm, the level changes by one step at a time and only beyond a margin.";
+  text += calmReason(view);
   const bool unmeasured = std::any_of(i.levels.begin(), i.levels.end(),
                                       [](const InspectedLevel& level) { return std::isinf(level.errorObject); });
   if (unmeasured) text += " Levels without an error in the file are not used.";
   return text;
+}
+
+/// The level as its price decides it, --lod price.
+std::string priceReason(const Inspection& i, const gpu::CullView& view) {
+  std::string text = fmt::format(
+      "Visible share {:.3g} %. Level {} has the lowest sum of visible pixels times mean error and of triangles times "
+      "their price.",
+      100.0F * visibility::visibleShare(i.readout.state.lv), i.chosen);
+  if (std::isfinite(view.maxError)) text += fmt::format(" No level deviates by more than {:.3g} px.", view.maxError);
+  return text + calmReason(view);
 }
 
 /// The division of patches as the budget decides it.
@@ -128,6 +142,7 @@ std::string whyText(const Inspection& i, const gpu::CullView& view) {
   const bool followsError = has(view.traits, gpu::kTraitFollowsError);
   if (!followsError && has(view.traits, gpu::kTraitFollowsLv)) return linearReason(i);
   if (!followsError) return "--lod finest draws every object at level 0.";
+  if (has(view.traits, gpu::kTraitPrice)) return priceReason(i, view);
   return i.cuts > 0 ? patchReason(i) : budgetReason(i, view);
 }
 
@@ -139,7 +154,8 @@ void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::Cull
     i.levels.push_back({lod.triangleCount, lod.errorObject, lod.errorObject * pixelsPerUnit});
   i.tau = i.readout.box.tau;
   i.importance = i.tau > 0.0F ? view.tau / i.tau : 1.0F;
-  if (has(view.traits, gpu::kTraitFollowsError) && has(view.traits, gpu::kTraitFollowsLv)) {
+  if (has(view.traits, gpu::kTraitFollowsError) && has(view.traits, gpu::kTraitFollowsLv) &&
+      !has(view.traits, gpu::kTraitPrice)) {
     i.relaxed = visibility::relaxedBudget(i.readout.state.lv, view.relax);
     if (view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed);
   }

@@ -1,0 +1,129 @@
+// Simulated frames: the price of a triangle follows a budget.
+#include "visibility/price_control.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "core/random.h"
+#include "visibility/lod_policy.h"
+
+namespace jalousie::visibility {
+namespace {
+
+/// Objects of many sizes with one chain, as one camera sees them.
+struct Crowd {
+  explicit Crowd(std::size_t count) {
+    for (gpu::uint k = 0; k < 10; ++k) {
+      gpu::Lod lod{};
+      lod.triangleCount = 50000U >> k;
+      lod.errorObject = lod.meanErrorObject = k == 0 ? 0.0F : 0.01F * static_cast<float>(1U << (k - 1));
+      chain.push_back(lod);
+    }
+    Random random(5);
+    for (std::size_t i = 0; i < count; ++i) {
+      pixels.push_back(std::exp(random.uniform(1.6F, 9.9F)));
+      pixelsPerUnit.push_back(std::exp(random.uniform(-3.0F, 2.0F)));
+    }
+  }
+
+  /// @param zoom  of the camera   @param factor  of the price
+  std::uint64_t triangles(float zoom, float factor) const {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const Price price{pixels[i] * zoom * zoom, gpu::kTrianglePrice * factor, 1e9F};
+      sum += chain[pricedLod(chain, pixelsPerUnit[i] * zoom, price)].triangleCount;
+    }
+    return sum;
+  }
+
+  std::vector<gpu::Lod> chain;
+  std::vector<float> pixels;
+  std::vector<float> pixelsPerUnit;
+};
+
+FrameCounters countersOf(std::uint64_t triangles) {
+  FrameCounters counters{};
+  for (gpu::uint limb = 0; limb < 4; ++limb)
+    counters[gpu::kCounterTriangles + limb] = static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
+  return counters;
+}
+
+/// Triangles over the budget, frame by frame.
+std::vector<double> simulate(const Crowd& crowd, gpu::uint budget, const std::function<float(int)>& zoomOf) {
+  gpu::CullView view{};
+  view.triangleBudget = budget;
+  gpu::PriceState price = firstPrice();
+  std::vector<double> shares;
+  for (int frame = 0; frame < 100; ++frame) {
+    const std::uint64_t triangles = crowd.triangles(zoomOf(frame), priceFactor(price, view));
+    shares.push_back(static_cast<double>(triangles) / budget);
+    price = adjustPrice(price, countersOf(triangles), view);
+  }
+  return shares;
+}
+
+TEST(PriceControl, AStillViewStaysWithinTwoPercent) {
+  const Crowd crowd(300);
+  for (const gpu::uint budget : {100000U, 300000U, 1000000U, 3000000U}) {
+    const std::vector<double> shares = simulate(crowd, budget, [](int) { return 1.0F; });
+    EXPECT_GT(std::abs(shares.front() - 1.0), 0.1) << "the price of tau is another one";
+    for (std::size_t i = 20; i < shares.size(); ++i)
+      ASSERT_NEAR(shares[i], 1.0, 0.02) << budget << " frame " << i;
+  }
+}
+
+TEST(PriceControl, AMovingViewStaysBelowTenPercentMore) {
+  const Crowd crowd(300);
+  const std::function<float(int)> motions[] = {
+      [](int frame) { return 1.0F + 0.01F * static_cast<float>(frame); },
+      [](int frame) { return 2.0F - 0.01F * static_cast<float>(frame); },
+      [](int frame) { return 1.0F + 0.3F * std::sin(0.1F * static_cast<float>(frame)); }};
+  for (const auto& motion : motions) {
+    const std::vector<double> shares = simulate(crowd, 300000, motion);
+    EXPECT_LT(*std::max_element(shares.begin() + 20, shares.end()), 1.1);
+    EXPECT_GT(*std::min_element(shares.begin() + 20, shares.end()), 0.85);
+  }
+}
+
+TEST(PriceControl, ACutIsFollowedWithinTenFrames) {
+  const Crowd crowd(300);
+  const std::vector<double> shares = simulate(crowd, 300000, [](int frame) { return frame < 50 ? 1.0F : 2.0F; });
+  EXPECT_GT(shares[50], 1.5);
+  for (std::size_t i = 60; i < shares.size(); ++i)
+    EXPECT_NEAR(shares[i], 1.0, 0.03);
+}
+
+TEST(PriceControl, WhereTheLevelsAllowNothingCloserAStillViewRestsBelow) {
+  for (const std::size_t objects : {1U, 3U}) {
+    const std::vector<double> shares = simulate(Crowd(objects), 20000, [](int) { return 1.0F; });
+    for (std::size_t i = 80; i < shares.size(); ++i) {
+      EXPECT_EQ(shares[i], shares.back()) << objects << " frame " << i;
+      EXPECT_LT(shares[i], 1.02);
+      EXPECT_GT(shares[i], 0.4);
+    }
+  }
+}
+
+TEST(PriceControl, ABudgetOutOfReachNeitherOverflowsNorStays) {
+  const Crowd crowd(10);
+  gpu::CullView view{};
+  gpu::PriceState price = firstPrice();
+  for (const gpu::uint budget : {1U, 0xffffffffU}) {
+    view.triangleBudget = budget;
+    for (int frame = 0; frame < 200; ++frame) {
+      const FrameCounters counters = countersOf(crowd.triangles(1.0F, priceFactor(price, view)));
+      price = adjustPrice(price, counters, view);
+    }
+    EXPECT_EQ(std::abs(price.logFactor), gpu::kMostLogFactor);
+    EXPECT_EQ(crowd.triangles(1.0F, priceFactor(price, view)), 10U * crowd.chain[budget == 1 ? 9 : 0].triangleCount);
+  }
+  view.triangleBudget = 0;
+  EXPECT_EQ(priceFactor(price, view), 1.0F) << "without a budget the price is that of tau";
+}
+
+}  // namespace
+}  // namespace jalousie::visibility
