@@ -24,6 +24,7 @@ if(JALOUSIE_BUILD_RUNTIME)
   find_package(OpenGL REQUIRED COMPONENTS EGL)
   find_package(glfw3 REQUIRED)
   pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET GLOBAL imgui)
+  pkg_check_modules(JXL REQUIRED IMPORTED_TARGET GLOBAL libjxl)  # Butteraugli
   find_program(JALOUSIE_RSVG_CONVERT rsvg-convert REQUIRED)  # the icon
 endif()
 if(JALOUSIE_BUILD_MAN_PAGES)

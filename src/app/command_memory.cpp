@@ -1,6 +1,7 @@
 // The peaks of the commands: which parts exist at the same time.
 #include "app/command_memory.h"
 
+#include "compare/butteraugli.h"
 #include "core/error.h"
 #include "policy/detail.h"
 #include "render/memory_needs.h"
@@ -94,6 +95,8 @@ MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& 
   needs.add(comparison.renderers, each.bytes(), each.largestItem());
   if (comparison.pictures)
     needs.add(std::uint64_t{comparison.width} * comparison.height, pictureBytes, "pictures and their errors");
+  if (comparison.butteraugli)
+    needs.add(1, compare::butteraugliBytes(comparison.width, comparison.height), "Butteraugli of a tile");
   return needs;
 }
 

@@ -39,6 +39,7 @@ struct ComparisonSize {
   std::uint64_t configurations = 1;         ///< each has a picture of the present frame
   std::vector<scene::BuildOptions> builds;  ///< of the configurations, beside the plain scene of the reference
   bool pictures = false;                    ///< they are compared with a reference
+  bool butteraugli = false;                 ///< with Butteraugli, too
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 };

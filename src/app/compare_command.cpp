@@ -92,6 +92,7 @@ compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path)
   plan.keep = options.keep;
   plan.taus = options.taus;
   plan.pixelsPerDegree = options.pixelsPerDegree;
+  plan.butteraugli = options.butteraugli;
   for (std::size_t i = 0; i < options.chosen.size(); ++i)
     if (options.chosen[i].name == options.baseline) plan.baseline = i;
   return plan;
@@ -210,6 +211,7 @@ int compareScene(const CompareOptions& options) {
                                   .configurations = configurations,
                                   .builds = setup.builds,
                                   .pictures = pictures,
+                                  .butteraugli = options.butteraugli,
                                   .width = options.width,
                                   .height = options.height};
   const asset::SceneFile file = readWithin(

@@ -33,6 +33,7 @@ struct CompareOptions {
   std::uint32_t keep = 6;
   std::uint32_t lead = 8;
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
+  bool butteraugli = false;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
   bool resume = false;
   bool quiet = false;

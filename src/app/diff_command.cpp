@@ -1,4 +1,4 @@
-// Computes PSNR, SSIM and FLIP of two files, prints them and writes the error map.
+// Computes PSNR, SSIM, FLIP and Butteraugli of two files, prints them and writes the error map.
 #include "app/diff_command.h"
 
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include "asset/image_io.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
+#include "compare/butteraugli.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/memory_estimate.h"
@@ -27,10 +28,13 @@ namespace {
 
 std::string text(const DiffOptions& options, const nlohmann::ordered_json& figures) {
   const nlohmann::ordered_json& psnr = figures.at("psnr");
-  return fmt::format("FLIP  {:.6f}  mean; largest {:.4f} ({:.2f} pixels per degree)\nSSIM  {:.6f}\nPSNR  {}\n",
-                     figures.at("flip").get<double>(), figures.at("flip_largest").get<double>(),
-                     options.pixelsPerDegree, figures.at("ssim").get<double>(),
-                     psnr.is_null() ? "equal pictures" : fmt::format("{:.4f} dB", psnr.get<double>()));
+  const auto number = [&](const char* key) { return figures.at(key).get<double>(); };
+  return fmt::format(
+      "FLIP         {:.6f}  mean; largest {:.4f} ({:.2f} pixels per degree)\n"
+      "Butteraugli  {:.6f}  3-norm; largest {:.4f}\nSSIM         {:.6f}\nPSNR         {}\n",
+      number("flip"), number("flip_largest"), options.pixelsPerDegree, number("butteraugli"),
+      number("butteraugli_largest"), number("ssim"),
+      psnr.is_null() ? "equal pictures" : fmt::format("{:.4f} dB", psnr.get<double>()));
 }
 
 /// Bytes of the largest picture file read.
@@ -62,7 +66,8 @@ void checkSizes(const EncodedPicture& reference, const EncodedPicture& test) {
                 reference.file);
 }
 
-/// Both pictures, the decoder's copy of the second one, a strip of FLIP, and the error map as a picture.
+/// Both pictures, the decoder's copy of the second one, what FLIP and Butteraugli take one after the other, and the
+/// error map as a picture.
 MemoryEstimate diffNeeds(const asset::ImageSize& size, const DiffOptions& options) {
   constexpr std::uint64_t kStripBytes = 2 * 20 + 40;  // two prepared pictures, and what preparing one takes
   constexpr std::uint64_t kMapBytes = 4 + 16;         // picture and encoder
@@ -71,7 +76,10 @@ MemoryEstimate diffNeeds(const asset::ImageSize& size, const DiffOptions& option
       size.height, compare::kFlipStripRows + 2 * compare::flipMarginRows(options.pixelsPerDegree));
   MemoryEstimate needs;
   needs.add(pixels, 3 * 4, fmt::format("two pictures of {}x{} pixels", size.width, size.height));
-  needs.add(rows * size.width, kStripBytes, "FLIP of a strip");
+  const std::uint64_t flipBytes = rows * size.width * kStripBytes;
+  const std::uint64_t butteraugliBytes = compare::butteraugliBytes(size.width, size.height);
+  needs.add(1, std::max(flipBytes, butteraugliBytes),
+            flipBytes > butteraugliBytes ? "FLIP of a strip" : "Butteraugli of a tile");
   if (!options.output.empty()) needs.add(pixels, kMapBytes, "the error map");
   return needs;
 }
@@ -125,6 +133,7 @@ void diff(const DiffOptions& options) {
   if (!options.output.empty()) map.pixels.reserve(reference.pixels.size());
   const FlipFigures flip =
       measureFlip(reference, test, options.pixelsPerDegree, options.output.empty() ? nullptr : &map);
+  const compare::ButteraugliError butteraugli = compare::butteraugli(reference, test);
   const double psnr = compare::psnr(reference, test);
   nlohmann::ordered_json figures;
   figures["width"] = reference.width;
@@ -132,6 +141,8 @@ void diff(const DiffOptions& options) {
   figures["flip"] = flip.sum / (static_cast<double>(reference.width) * reference.height);
   figures["flip_largest"] = static_cast<double>(flip.largest);
   figures["pixels_per_degree"] = options.pixelsPerDegree;
+  figures["butteraugli"] = butteraugli.mean;
+  figures["butteraugli_largest"] = butteraugli.largest;
   figures["ssim"] = compare::ssim(reference, test);
   figures["psnr"] = std::isfinite(psnr) ? nlohmann::ordered_json(psnr) : nlohmann::ordered_json();
   if (!options.output.empty()) asset::savePng(map, options.output);

@@ -1,4 +1,4 @@
-// `jalousie diff`: PSNR, SSIM and FLIP of one picture against another.
+// `jalousie diff`: PSNR, SSIM, FLIP and Butteraugli of one picture against another.
 #pragma once
 
 #include <filesystem>

@@ -47,7 +47,7 @@ void declare(CLI::App& program, Options& options) {
       program.add_subcommand("compare", "Measure configurations along a camera path and write a report");
   addCompareOptions(*compare, options.compare);
   addDebugOption(*compare, options.compare.debug);
-  addDiffOptions(*program.add_subcommand("diff", "Measure how much two pictures differ: PSNR, SSIM, FLIP"),
+  addDiffOptions(*program.add_subcommand("diff", "Measure how much two pictures differ: PSNR, SSIM, FLIP, Butteraugli"),
                  options.diff);
   addRecordOptions(*program.add_subcommand("record", "Write a camera path as a glTF camera animation"), options.record);
 }

@@ -31,7 +31,7 @@ std::vector<CurvePoint> curveOf(const Results& results, std::size_t configuratio
   std::vector<CurvePoint> curve;
   for (const auto& [tau, samples] : byTau) {
     if (samples.size() < keptFrames) continue;
-    CurvePoint point{static_cast<double>(tau), 0.0, 0.0, 0.0, 0.0, 0.0};
+    CurvePoint point{static_cast<double>(tau), 0.0, 0.0, 0.0, 0.0, 0.0, {}};
     double squares = 0.0;
     const auto count = static_cast<double>(samples.size());
     for (const SweepSample* sample : samples) {
@@ -40,6 +40,8 @@ std::vector<CurvePoint> curveOf(const Results& results, std::size_t configuratio
       point.flip += sample->error.flip / count;
       point.ssim += sample->error.ssim / count;
       squares += meanSquaredError(sample->error.psnr) / count;
+      if (sample->error.butteraugli)
+        point.butteraugli = point.butteraugli.value_or(0.0) + *sample->error.butteraugli / count;
     }
     point.psnr = psnrOf(squares);
     curve.push_back(point);

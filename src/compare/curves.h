@@ -11,12 +11,13 @@ namespace jalousie::compare {
 
 /// A configuration with one tau.
 struct CurvePoint {
-  double tau = 1.0;        ///< pixels
-  double triangles = 0.0;  ///< mean over the kept frames
-  double frameMs = 0.0;    ///< likewise
-  double flip = 0.0;       ///< likewise
-  double psnr = 0.0;       ///< dB, of the mean squared error
-  double ssim = 1.0;       ///< mean over the kept frames
+  double tau = 1.0;                        ///< pixels
+  double triangles = 0.0;                  ///< mean over the kept frames
+  double frameMs = 0.0;                    ///< likewise
+  double flip = 0.0;                       ///< likewise
+  double psnr = 0.0;                       ///< dB, of the mean squared error
+  double ssim = 1.0;                       ///< mean over the kept frames
+  std::optional<double> butteraugli = {};  ///< likewise; absent where it was not measured
 };
 
 /// Mean squared error of 8-bit values; 0 for an infinite PSNR. @param psnr  dB

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kLogVersion = 1;
+constexpr int kLogVersion = 2;
 constexpr std::uint64_t kMaxLogBytes = 1ULL << 31U;
 
 std::filesystem::path logFile(const std::filesystem::path& folder) {
@@ -28,13 +28,20 @@ std::filesystem::path logFile(const std::filesystem::path& folder) {
 
 /// JSON has no infinity: equal pictures have the PSNR null.
 json toJson(const ImageError& error) {
-  return {{"psnr", std::isinf(error.psnr) ? json() : json(error.psnr)}, {"ssim", error.ssim}, {"flip", error.flip}};
+  json result = {
+      {"psnr", std::isinf(error.psnr) ? json() : json(error.psnr)}, {"ssim", error.ssim}, {"flip", error.flip}};
+  if (error.butteraugli) result["butteraugli"] = *error.butteraugli;
+  return result;
 }
 
 ImageError errorFrom(const json& value) {
   const json& psnr = value.at("psnr");
-  return {psnr.is_null() ? std::numeric_limits<double>::infinity() : psnr.get<double>(), value.at("ssim"),
-          value.at("flip")};
+  ImageError error{psnr.is_null() ? std::numeric_limits<double>::infinity() : psnr.get<double>(),
+                   value.at("ssim"),
+                   value.at("flip"),
+                   {}};
+  if (value.contains("butteraugli")) error.butteraugli = value.at("butteraugli").get<double>();
+  return error;
 }
 
 json toJson(const Sample& sample) {

@@ -101,6 +101,7 @@ std::string experimentFingerprint(const scene::SceneData& scene, const asset::Ca
   hash.value(plan.baseline);
   hash.value(plan.gpuTiming);
   hash.value(plan.pixelsPerDegree);
+  hash.value(plan.butteraugli);
   for (const Configuration& configuration : configurations) {
     hash.text(configuration.name);
     hash.text(configuration.commandLine);

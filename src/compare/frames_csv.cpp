@@ -58,7 +58,7 @@ std::string headLine(const Columns& columns) {
   std::string text = "frame,configuration";
   for (const std::string_view key : kCounts)
     text += fmt::format(",{}", key);
-  text += ",visible,visible_switched,flip,psnr,ssim,temporal_flip,frame_ms";
+  text += ",visible,visible_switched,flip,psnr,ssim,butteraugli,temporal_flip,frame_ms";
   for (const std::string& pass : columns.passes)
     text += "," + csvField(pass + " ms");
   for (std::size_t k = 0; k < columns.levels; ++k)
@@ -87,6 +87,8 @@ std::string line(const Sample& sample, const std::string& name, const Columns& c
   text += sample.error
               ? fmt::format(",{:.6f},{:.4f},{:.6f}", sample.error->flip, sample.error->psnr, sample.error->ssim)
               : ",,,";
+  const bool judged = sample.error && sample.error->butteraugli;
+  text += judged ? fmt::format(",{:.6f}", *sample.error->butteraugli) : ",";
   text += sample.temporal ? fmt::format(",{:.6f}", *sample.temporal) : ",";
   text += fmt::format(",{:.3f}", sample.frameMs);
   for (const std::string& pass : columns.passes)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,11 +69,12 @@ double mean(const std::vector<float>& map);
 /// A map in [0, 1] in the colours of matplotlib's magma: black, violet, orange, pale yellow.
 ImageRgba8 errorPicture(const std::vector<float>& map, std::uint32_t width, std::uint32_t height);
 
-/// All three errors of one picture.
+/// All errors of one picture.
 struct ImageError {
   double psnr = 0.0;  ///< dB
   double ssim = 1.0;
-  double flip = 0.0;  ///< mean
+  double flip = 0.0;                       ///< mean
+  std::optional<double> butteraugli = {};  ///< ButteraugliError::mean; absent where it was not asked for
 };
 
 }  // namespace jalousie::compare

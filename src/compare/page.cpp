@@ -25,9 +25,9 @@ ordered_json shortNumber(double value) {
 }
 
 ordered_json seriesJson(const Results& results, const std::string& name, std::size_t configuration) {
-  const char* const keys[] = {"frame", "triangles",      "frame_ms",         "draws",
-                              "drawn", "culled_frustum", "culled_occlusion", "flip",
-                              "psnr",  "ssim",           "switches",         "temporal_flip"};
+  const char* const keys[] = {"frame",          "triangles",        "frame_ms",     "draws", "drawn",
+                              "culled_frustum", "culled_occlusion", "flip",         "psnr",  "ssim",
+                              "butteraugli",    "switches",         "temporal_flip"};
   ordered_json series;
   series["name"] = name;
   for (const char* key : keys)
@@ -45,6 +45,8 @@ ordered_json seriesJson(const Results& results, const std::string& name, std::si
     series["flip"].push_back(sample.error ? shortNumber(sample.error->flip) : ordered_json());
     series["psnr"].push_back(sample.error ? shortNumber(sample.error->psnr) : ordered_json());
     series["ssim"].push_back(sample.error ? shortNumber(sample.error->ssim) : ordered_json());
+    const bool judged = sample.error && sample.error->butteraugli;
+    series["butteraugli"].push_back(judged ? shortNumber(*sample.error->butteraugli) : ordered_json());
     series["temporal_flip"].push_back(sample.temporal ? shortNumber(*sample.temporal) : ordered_json());
     const bool counted = sample.visible.value_or(0) > 0 && sample.switched;
     series["switches"].push_back(

@@ -39,9 +39,10 @@ struct Plan {
   std::vector<float> taus;   ///< of the sweep, ascending, pixels; empty: no sweep
   std::size_t baseline = 0;  ///< index of the configuration that ratios refer to
   double pixelsPerDegree = kDefaultPixelsPerDegree;
-  bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish, for software renderers
-  std::string renderer;    ///< GL_RENDERER; part of the fingerprints: pictures and times depend on the driver
-  std::string build;       ///< digest of the program; part of the fingerprints likewise
+  bool butteraugli = false;  ///< measure ImageError::butteraugli too
+  bool gpuTiming = false;    ///< GPU timestamps; false: wall time between two glFinish, for software renderers
+  std::string renderer;      ///< GL_RENDERER; part of the fingerprints: pictures and times depend on the driver
+  std::string build;         ///< digest of the program; part of the fingerprints likewise
 
   /// Frames whose pictures are kept, ascending; none without a reference.
   std::vector<std::uint32_t> keptFrames() const;

@@ -7,6 +7,7 @@
 
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
+#include "compare/butteraugli.h"
 #include "compare/configuration.h"
 #include "compare/report_folder.h"
 #include "core/error.h"
@@ -68,7 +69,9 @@ const FlipImage& ReferenceFrames::flip(std::uint32_t frame) {
 
 ImageError ReferenceFrames::errorOf(const ImageRgba8& picture, const FlipImage& seen, std::uint32_t frame) {
   const ImageRgba8& reference = image(frame);
-  return {psnr(reference, picture), ssim(reference, picture), mean(flipMap(flip(frame), seen))};
+  ImageError error{psnr(reference, picture), ssim(reference, picture), mean(flipMap(flip(frame), seen)), {}};
+  if (plan_.butteraugli) error.butteraugli = butteraugli(image(frame), picture).mean;
+  return error;
 }
 
 std::vector<float> ReferenceFrames::motion(std::uint32_t from, std::uint32_t to) {

@@ -62,19 +62,25 @@ ordered_json errorJson(const std::vector<const Sample*>& samples) {
   std::vector<double> flips;
   std::vector<double> squares;
   std::vector<double> similarities;
+  std::vector<double> masked;
   for (const Sample* sample : samples) {
     if (!sample->error) continue;
     flips.push_back(sample->error->flip);
     squares.push_back(meanSquaredError(sample->error->psnr));
     similarities.push_back(sample->error->ssim);
+    if (sample->error->butteraugli) masked.push_back(*sample->error->butteraugli);
   }
   if (flips.empty()) return nullptr;
-  return {{"flip", {{"mean", meanOf(flips)}, {"largest", *std::max_element(flips.begin(), flips.end())}}},
+  const auto spread = [](const std::vector<double>& values) {
+    return ordered_json{{"mean", meanOf(values)}, {"largest", *std::max_element(values.begin(), values.end())}};
+  };
+  return {{"flip", spread(flips)},
           {"psnr",
            {{"mean", finite(psnrOf(meanOf(squares)))},
             {"least", finite(psnrOf(*std::max_element(squares.begin(), squares.end())))}}},
           {"ssim",
-           {{"mean", meanOf(similarities)}, {"least", *std::min_element(similarities.begin(), similarities.end())}}}};
+           {{"mean", meanOf(similarities)}, {"least", *std::min_element(similarities.begin(), similarities.end())}}},
+          {"butteraugli", masked.empty() ? ordered_json(nullptr) : spread(masked)}};
 }
 
 /// Level switches and the change that they make. Temporal FLIP is the mean over all frames of a path without gaps, else
@@ -181,14 +187,19 @@ ordered_json configurationJson(const Results& results, const Configuration& conf
   return json;
 }
 
-ordered_json pointJson(const CurvePoint& point) {
-  return {{"tau", point.tau},   {"triangles", point.triangles}, {"frame_ms", point.frameMs},
-          {"flip", point.flip}, {"psnr", finite(point.psnr)},   {"ssim", point.ssim}};
-}
-
 /// JSON of a value that may be absent.
 ordered_json orNull(const std::optional<double>& value) {
   return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json pointJson(const CurvePoint& point) {
+  return {{"tau", point.tau},
+          {"triangles", point.triangles},
+          {"frame_ms", point.frameMs},
+          {"flip", point.flip},
+          {"psnr", finite(point.psnr)},
+          {"ssim", point.ssim},
+          {"butteraugli", orNull(point.butteraugli)}};
 }
 
 ordered_json curvesJson(const std::vector<Configuration>& configurations, const std::vector<Curve>& curves) {
@@ -318,16 +329,25 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
 }
 
 std::string summaryText(const ordered_json& summary) {
-  std::string text = fmt::format("{:<28} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8}\n", "configuration", "triangles",
-                                 "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches");
-  for (const ordered_json& c : summary.at("configurations")) {
+  const ordered_json& configurations = summary.at("configurations");
+  const auto isJudged = [](const ordered_json& c) {
+    return !c.at("error").is_null() && !c.at("error").at("butteraugli").is_null();
+  };
+  const bool judged = std::any_of(configurations.begin(), configurations.end(), isJudged);
+  std::string text =
+      fmt::format("{:<28} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8}{}\n", "configuration", "triangles", "ratio",
+                  "frame ms", "ratio", "FLIP", "PSNR", "switches", judged ? " Butteraugli" : "");
+  for (const ordered_json& c : configurations) {
     const auto median = [&](const char* key) { return c.at(key).at("median").get<double>(); };
     const ordered_json& error = c.at("error");
     const std::string flip = error.is_null() ? "-" : orDash(error.at("flip").at("mean"), "{:.4f}");
-    text += fmt::format("{:<28} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}\n",
-                        c.at("name").get<std::string>(), shortCount(median("triangles")), median("triangles_ratio"),
-                        median("frame_ms"), median("frame_ratio"), flip, psnrText(error),
+    text += fmt::format("{:<28} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}", c.at("name").get<std::string>(),
+                        shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"),
+                        median("frame_ratio"), flip, psnrText(error),
                         orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
+    if (judged)
+      text += fmt::format(" {:>11}", isJudged(c) ? orDash(error.at("butteraugli").at("mean"), "{:.4f}") : "-");
+    text += "\n";
   }
   return text;
 }

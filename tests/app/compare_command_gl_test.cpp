@@ -88,9 +88,9 @@ class CompareCommand : public test::GlTest {
   }
   /// The experiment whose report several tests read: five consecutive frames, two kept frames and a sweep.
   static std::vector<std::string> planned() {
-    return {"compare",  file("scene.glb"), "--configs", "standard,calm", "--config", "coarse=--tau 6 --mode frustum",
-            "--frames", "1100:1104",       "--size",    "160x90",        "--keep",   "2",
-            "--sweep",  "tau=1:4"};
+    return {"compare",  file("scene.glb"), "--configs",    "standard,calm", "--config", "coarse=--tau 6 --mode frustum",
+            "--frames", "1100:1104",       "--size",       "160x90",        "--keep",   "2",
+            "--sweep",  "tau=1:4",         "--butteraugli"};
   }
 
   /// A command line that must be refused.
@@ -124,6 +124,7 @@ class CompareCommand : public test::GlTest {
             {{"record", scene, "-o", file("p.glb"), "--fov", "nan"}, 2},
             {{"compare", scene, "-o", file("mine2")}, 2},
             {{"compare", scene, "-o", file("x"), "--sweep", "tau=1", "--reference", "none"}, 2},
+            {{"compare", scene, "-o", file("x"), "--butteraugli", "--reference", "none"}, 2},
             {{"compare", scene, "-o", file("x"), "--camera", "7"}, 2},
             {{"compare", scene, "-o", file("x"), "--size", "4x4"}, 2},
             {{"diff", file("none.png"), file("none.png")}, 3},
@@ -354,7 +355,7 @@ TEST_F(CompareCommand, ARecordedPathIsFollowed) {
   EXPECT_EQ(jsonOf(file("along/summary.json"))["path"], "orbit.glb");
 }
 
-TEST_F(CompareCommand, DiffPrintsAllThreeFiguresAndDrawsTheMap) {
+TEST_F(CompareCommand, DiffPrintsAllFiguresAndDrawsTheMap) {
   ASSERT_EQ(report_.exitCode, 0);
   const std::string reference = file("report/pictures/01100-reference-image.png");
   const std::string coarse = file("report/pictures/01100-coarse-image.png");
@@ -363,13 +364,16 @@ TEST_F(CompareCommand, DiffPrintsAllThreeFiguresAndDrawsTheMap) {
   const json figures = json::parse(result.standardOutput);
   EXPECT_GT(figures["flip"], 0.0);
   EXPECT_LT(figures["ssim"], 1.0);
+  EXPECT_GT(figures["butteraugli"], 0.1);
+  EXPECT_GT(figures["butteraugli_largest"], figures["butteraugli"]);
   EXPECT_GT(figures["psnr"], 10.0);
   EXPECT_EQ(asset::loadImage(file("map.png")).width, 160U);
   const ProgramResult same = jalousie({"diff", reference, reference, "--json", "-"});
   EXPECT_EQ(json::parse(same.standardOutput)["flip"], 0.0);
+  EXPECT_EQ(json::parse(same.standardOutput)["butteraugli"], 0.0);
   EXPECT_TRUE(json::parse(same.standardOutput)["psnr"].is_null());
   const ProgramResult text = jalousie({"diff", reference, coarse});
-  for (const char* word : {"FLIP", "SSIM", "PSNR", "dB"})
+  for (const char* word : {"FLIP", "Butteraugli", "SSIM", "PSNR", "dB"})
     EXPECT_NE(text.standardOutput.find(word), std::string::npos) << word;
   asset::savePng(ImageRgba8{8, 8, std::vector<std::uint8_t>(256, 7)}, file("small.png"));
   EXPECT_EQ(jalousie({"diff", reference, file("small.png")}).exitCode, 2);

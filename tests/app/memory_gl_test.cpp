@@ -108,7 +108,7 @@ TEST_F(MemoryLimits, DiffEstimatesFromTheHeaders) {
                 "3000x2000 pixels");
   const ProgramResult compared = jalousie({"diff", file("a.png"), file("a.png")});
   EXPECT_EQ(compared.exitCode, 0) << compared.standardError;
-  EXPECT_LT(compared.peakBytes, 200 * kMiB) << "FLIP of the whole picture takes 480 MB";
+  EXPECT_LT(compared.peakBytes, 420 * kMiB) << "the whole picture takes 480 MB for FLIP and 1.5 GB for Butteraugli";
 }
 
 TEST_F(MemoryLimits, CamerasShareTheirKeys) {

@@ -59,7 +59,7 @@ Sample fullSample(std::uint32_t frame, std::size_t configuration) {
   s.lodHistogram = {5, 0, 9007199254740993ULL};
   sample.frameMs = 1.0 / 3.0;
   sample.passes = {{"cull", 0.1}, {"draw", 1e-300}, {"draw", 2.5}};
-  sample.error = ImageError{38.123456789012345, 0.1 + 0.2, 1.0 / 7.0};
+  sample.error = ImageError{38.123456789012345, 0.1 + 0.2, 1.0 / 7.0, 2.0 / 3.0};
   sample.visible = 77;
   sample.switched = 3;
   sample.temporal = 0.0123;
@@ -78,6 +78,7 @@ void expectSame(const ImageError& a, const ImageError& b) {
   EXPECT_EQ(a.psnr, b.psnr);
   EXPECT_EQ(a.ssim, b.ssim);
   EXPECT_EQ(a.flip, b.flip);
+  EXPECT_EQ(a.butteraugli, b.butteraugli);
 }
 
 void expectSame(const Sample& a, const Sample& b) {
@@ -276,15 +277,15 @@ TEST_F(ExperimentLog, OfAnotherExperimentIsRefusedAndLeftAlone) {
 TEST_F(ExperimentLog, OfAnotherVersionIsRefused) {
   startLog(folder(), kFingerprint);
   std::string text = textOf(file());
-  const std::size_t at = text.find("\"log\":1");
+  const std::size_t at = text.find("\"log\":2");
   ASSERT_NE(at, std::string::npos);
   writeText(file(), text.replace(at, 7, "\"log\":999"));
   EXPECT_EQ(readingFailsWith(), ErrorCode::kUsage);
 }
 
 TEST_F(ExperimentLog, GarbageIsMalformed) {
-  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 1}\n", "\xFF\xFE\n",
-                           "{\"log\": 1, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
+  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 2}\n", "\xFF\xFE\n",
+                           "{\"log\": 2, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
     writeText(file(), text);
     EXPECT_EQ(readingFailsWith(), ErrorCode::kMalformed) << text;
   }
@@ -317,7 +318,7 @@ TEST_F(ExperimentLog, StepThatLosesAnyOfItsKeysIsMalformed) {
     const std::size_t quote = text.rfind('"', colon - 1);
     const std::string key = text.substr(quote + 1, colon - quote - 1);
     // What a sample may lack. Its error stands before its time, that of the sweep behind.
-    if (key == "visible" || key == "visible_switched" || key == "temporal_flip" ||
+    if (key == "visible" || key == "visible_switched" || key == "temporal_flip" || key == "butteraugli" ||
         (key == "error" && quote < text.find("\"frame_ms\"", line)))
       continue;
     std::string broken = text;
@@ -421,6 +422,7 @@ std::vector<Change> changesOfTheExperiment() {
       {"the kept frames", [](Inputs& i) { i.plan.keep += 1; }},
       {"the baseline", [](Inputs& i) { i.plan.baseline = 1; }},
       {"the viewer's distance", [](Inputs& i) { i.plan.pixelsPerDegree += 1.0; }},
+      {"whether masking is judged", [](Inputs& i) { i.plan.butteraugli = true; }},
       {"a configuration's options", [](Inputs& i) { i.configurations[1].commandLine = "--calm --tau 2"; }},
       {"a configuration's name", [](Inputs& i) { i.configurations[1].name = "calmer"; }},
       {"a configuration more",

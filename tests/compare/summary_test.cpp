@@ -90,7 +90,7 @@ Results wholeResults() {
       sample.statistics.culledOcclusion = 5;
       sample.statistics.lodHistogram = {10, 20 + c};
       sample.passes = {{"cull", 1.0}, {"draw", 4.0}};
-      sample.error = ImageError{40.0, 0.98, 0.02};
+      sample.error = ImageError{40.0, 0.98, 0.02, 1.0 + frame};
       sample.visible = 20;
       sample.switched = 3;
       results.samples.push_back(sample);
@@ -320,7 +320,8 @@ TEST(SummaryJson, KeysAreStable) {
     for (const char* spread : {"triangles", "triangles_ratio", "frame_ms", "frame_ratio", "draws", "drawn",
                                "culled_frustum", "culled_occlusion"})
       EXPECT_EQ(keysOf(c[spread]), (Keys{"median", "q1", "q3"})) << spread;
-    EXPECT_EQ(keysOf(c["error"]), (Keys{"flip", "psnr", "ssim"}));
+    EXPECT_EQ(keysOf(c["error"]), (Keys{"flip", "psnr", "ssim", "butteraugli"}));
+    EXPECT_EQ(keysOf(c["error"]["butteraugli"]), (Keys{"mean", "largest"}));
     EXPECT_EQ(keysOf(c["error"]["flip"]), (Keys{"mean", "largest"}));
     EXPECT_EQ(keysOf(c["error"]["psnr"]), (Keys{"mean", "least"}));
     EXPECT_EQ(keysOf(c["error"]["ssim"]), (Keys{"mean", "least"}));
@@ -330,7 +331,8 @@ TEST(SummaryJson, KeysAreStable) {
   const ordered_json& sweep = summary["sweep"];
   EXPECT_EQ(keysOf(sweep), (Keys{"curves", "pareto", "triangles_at_flip", "flip_at_triangles"}));
   EXPECT_EQ(keysOf(sweep["curves"][0]), (Keys{"name", "points"}));
-  EXPECT_EQ(keysOf(sweep["curves"][0]["points"][0]), (Keys{"tau", "triangles", "frame_ms", "flip", "psnr", "ssim"}));
+  EXPECT_EQ(keysOf(sweep["curves"][0]["points"][0]),
+            (Keys{"tau", "triangles", "frame_ms", "flip", "psnr", "ssim", "butteraugli"}));
   EXPECT_EQ(keysOf(sweep["pareto"][0]), (Keys{"name", "tau", "triangles", "flip"}));
   EXPECT_EQ(keysOf(sweep["triangles_at_flip"][0]), (Keys{"flip", "triangles"}));
   EXPECT_EQ(keysOf(sweep["flip_at_triangles"]), (Keys{"of", "rows"}));
@@ -364,6 +366,26 @@ TEST(SummaryJson, LeadCountsOnlyWhereFramesAreLeftOut) {
   plan.range.step = 3;
   EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["lead"], 5);
   EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["count"], 4);
+}
+
+TEST(SummaryJson, ButteraugliIsAMeanAndALargestFrameOrNull) {
+  Results results = wholeResults();
+  for (SweepSample& sample : results.sweep)
+    sample.error.butteraugli = 1.5 * static_cast<double>(sample.tau) + sample.frame;
+  const ordered_json summary = summaryOf(results, {"one", "two"});
+  EXPECT_DOUBLE_EQ(summary["configurations"][1]["error"]["butteraugli"]["mean"].get<double>(), 5.5);
+  EXPECT_EQ(summary["configurations"][1]["error"]["butteraugli"]["largest"], 10.0);
+  EXPECT_DOUBLE_EQ(summary["sweep"]["curves"][0]["points"][0]["butteraugli"].get<double>(), 3.0 + 4.5) << "tau 2";
+  EXPECT_NE(summaryText(summary).find("Butteraugli"), std::string::npos);
+  EXPECT_NE(summaryText(summary).find("5.5000"), std::string::npos);
+  for (Sample& sample : results.samples)
+    sample.error->butteraugli.reset();
+  for (SweepSample& sample : results.sweep)
+    sample.error.butteraugli.reset();
+  const ordered_json without = summaryOf(results, {"one", "two"});
+  EXPECT_TRUE(without["configurations"][0]["error"]["butteraugli"].is_null());
+  EXPECT_TRUE(without["sweep"]["curves"][0]["points"][0]["butteraugli"].is_null());
+  EXPECT_EQ(summaryText(without).find("Butteraugli"), std::string::npos);
 }
 
 TEST(SummaryJson, PsnrOfEqualPicturesIsNull) {
@@ -583,6 +605,7 @@ TEST(FramesCsv, HasAHeaderAndALinePerSample) {
   EXPECT_EQ(std::stod(field(lines, 20, "frame_ms")), 5.0);
   EXPECT_EQ(std::stod(field(lines, 20, "flip")), 0.02);
   EXPECT_EQ(std::stod(field(lines, 20, "psnr")), 40.0);
+  EXPECT_EQ(std::stod(field(lines, 20, "butteraugli")), 10.0);
   EXPECT_EQ(field(lines, 20, "visible_switched"), "3");
 }
 
@@ -604,6 +627,7 @@ TEST(FramesCsv, EveryLineHasTheSameColumns) {
     EXPECT_EQ(line.size(), lines[0].size()) << line[0];
   EXPECT_EQ(field(lines, 2, "flip"), "");
   EXPECT_EQ(field(lines, 2, "ssim"), "");
+  EXPECT_EQ(field(lines, 2, "butteraugli"), "");
   EXPECT_EQ(field(lines, 3, "visible"), "");
   EXPECT_EQ(field(lines, 4, "draw ms"), "") << "did not run";
   EXPECT_EQ(std::stod(field(lines, 5, "late, \"pass\" ms")), 1.0);

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scene/scene_data.h"
+#include "scene/scene_memory.h"
 #include "support/error_code.h"
 #include "support/scenes.h"
 
@@ -142,6 +143,28 @@ TEST(MeshCells, MoreCellsThanTheLimitAreRefused) {
   test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
   file.instances.resize(kMostCells / 64 + 1, file.instances[0]);
   EXPECT_EQ(test::codeOf([&] { divideMeshes(file, {Kind::kCount, 64}); }), ErrorCode::kLimit);
+}
+
+TEST(MeshCells, EstimateOfTheirNumberIsAnUpperBound) {
+  const asset::SceneFile file = twoChains();
+  const SceneData whole = buildScene(file);
+  asset::SceneSize size = sizeOf(whole);
+  for (const gpu::Chain& chain : whole.chains) {
+    const std::uint64_t triangles = whole.lods[chain.firstLod].triangleCount;
+    size.largestTriangles = std::max(size.largestTriangles, triangles);
+    size.levelTriangles += triangles * chain.lodCount;
+  }
+  for (const gpu::Object& object : whole.objects)
+    size.finestTriangles += whole.lods[whole.chains[object.chain].firstLod].triangleCount;
+  for (const CellOptions& options : {CellOptions{Kind::kAutomatic}, {Kind::kCount, 64}, {Kind::kCount, 1024}}) {
+    const asset::SceneSize bound = withCells(size, options);
+    const SceneData built = buildScene(file, {.cells = options});
+    EXPECT_GE(bound.cells, built.cells.objects.size());
+    EXPECT_GE(bound.cellLevels, built.cells.lods.size());
+    EXPECT_LE(bound.cells, 3 * built.cells.objects.size() + size.instances);
+  }
+  EXPECT_EQ(withCells(size, {}).cells, 0U);
+  EXPECT_EQ(withCells(size, {Kind::kCount, 65536}).cells, 0U) << "nothing is so large";
 }
 
 TEST(MeshCells, AMeshOfTwoChainsStaysWhole) {

@@ -11,6 +11,7 @@ const QUANTITIES = [
   ['flip', 'FLIP', 'FLIP, mean over the frame', small, brief, ['linear', 'log']],
   ['psnr', 'PSNR', 'PSNR, dB', decibel, digits, ['linear'], true],
   ['ssim', 'SSIM', 'SSIM', small, digits, ['linear'], true],
+  ['butteraugli', 'Butteraugli', 'Butteraugli, 3-norm over the frame', small, brief, ['linear', 'log']],
   ['drawn', 'drawn objects', 'objects drawn', count, countTick, ALL_SCALES],
   ['culled_frustum', 'outside the frustum', 'objects outside the frustum', count, countTick, ['linear']],
   ['culled_occlusion', 'culled by occlusion', 'objects culled by occlusion', count, countTick, ['linear']],

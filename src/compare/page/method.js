@@ -52,6 +52,9 @@ function errorExplanations() {
     ['FLIP', 'LDR-FLIP (Andersson et al. 2020) predicts the difference that a viewer sees when two pictures alternate '
       + `in place, at ${ratio(summary.pixels_per_degree)} pixels per degree of visual angle. Each pixel has an error `
       + 'between 0 and 1; the figure is the mean of this error map.'],
+    ...(configurations.some((c) => c.error?.butteraugli) ? [['Butteraugli', 'Distance of libjxl with a model of masking: '
+      + 'an error in a busy part of the picture counts less. The figure is the 3-norm over the pixels for a display of '
+      + '80 cd/m\u00b2. 0: the pictures do not differ; about 1: a difference that viewers just notice.']] : []),
     ['Popping: switches', 'Of the objects with at least one visible pixel, the share that has another level than in '
       + 'the frame before.'],
     ['Popping: frozen', 'The camera is frozen while the renderer advances by one frame. The two pictures differ only '

@@ -117,7 +117,7 @@ function resultColumns() {
   });
   const error = (head, measure, worst, sign, format, better) => {
     // The PSNR of equal pictures is null; it counts as the best.
-    const get = (key) => of((c) => (c.error ? c.error[measure][key] ?? Infinity : null));
+    const get = (key) => of((c) => (c.error?.[measure] ? c.error[measure][key] ?? Infinity : null));
     const text = (key) => (i) => (get(key)(i) === Infinity ? 'equal' : format(get(key)(i)));
     const [mean, extreme] = [text('mean'), text(worst)];
     return {
@@ -135,6 +135,7 @@ function resultColumns() {
     error('FLIP', 'flip', 'largest', '\u2264', small, -1),
     error('PSNR', 'psnr', 'least', '\u2265', decibel, 1),
     error('SSIM', 'ssim', 'least', '\u2265', small, 1),
+    error('Butteraugli', 'butteraugli', 'largest', '\u2264', small, -1),
     plain('Popping', 'switches', (c) => c.popping?.switches_per_visible_object),
     plain('Popping', 'frozen', (c) => c.popping?.frozen_flip_largest,
       (c) => (c.popping?.frozen_flip_mean > 0 ? `mean ${small(c.popping.frozen_flip_mean)}` : null)),
@@ -178,7 +179,7 @@ function results() {
   }
   text.push(compared
     ? `Errors are means${many ? ', with the worst frame below' : ''}. Smaller is better for FLIP, larger for PSNR (dB) `
-      + 'and SSIM.'
+      + 'larger for PSNR (dB) and SSIM.'
     : 'Pictures were not compared, so the table has no errors and no popping.');
   if (columns.some((c) => c.group === 'Popping'))
     text.push('Popping: LOD switches per visible object and frame; FLIP of the worst pixel while the camera is frozen; '

@@ -61,6 +61,7 @@ const curveOfSeries = (id) => curves.find(({ index }) => `c${index}` === id);
 const pointTexts = (p) => [
   `${count(p.triangles)} triangles`, `${milliseconds(p.frame_ms)} ms`, `FLIP ${small(p.flip)}`,
   p.psnr == null ? 'PSNR: equal' : `${decibel(p.psnr)} dB`, `SSIM ${small(p.ssim)}`,
+  ...(p.butteraugli == null ? [] : [`Butteraugli ${small(p.butteraugli)}`]),
 ];
 function pointTip(curve, point) {
   if (!curve || !point) return '';
@@ -161,13 +162,16 @@ function sweepTables(section) {
     section.append(element('p', null, 'Not in the sweep, because they do not use \u03c4: ',
       outside.map((name, k) => [k > 0 ? ', ' : '', named(name)]), '.'));
   }
-  const head = ['configuration', '\u03c4', 'triangles', 'frame time, ms', 'FLIP', 'PSNR, dB', 'SSIM']
+  const masked = curves.some(({ points }) => points.some((p) => p.butteraugli != null));
+  const head = ['configuration', '\u03c4', 'triangles', 'frame time, ms', 'FLIP', 'PSNR, dB', 'SSIM',
+    ...(masked ? ['Butteraugli'] : [])]
     .map((text, k) => element('th', { scope: 'col', class: k ? null : 'corner' }, text));
   const body = element('tbody', { class: 'rows' });
   for (const { index, points } of curves) {
     points.forEach((p, k) => {
       const psnr = p.psnr == null ? 'equal' : decibel(p.psnr);
-      const texts = [String(p.tau), count(p.triangles), milliseconds(p.frame_ms), small(p.flip), psnr, small(p.ssim)];
+      const texts = [String(p.tau), count(p.triangles), milliseconds(p.frame_ms), small(p.flip), psnr, small(p.ssim),
+        ...(masked ? [small(p.butteraugli)] : [])];
       body.append(element('tr', null,
         k > 0 ? null : element('th', { scope: 'rowgroup', rowspan: points.length, class: 'corner' }, owner(index)),
         texts.map((text) => element('td', null, text))));
