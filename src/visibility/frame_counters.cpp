@@ -61,9 +61,10 @@ void countDrawn(FrameCounters& counters, const scene::SceneData& scene, gpu::uin
   addTriangles(counters, triangles);
 }
 
-/// The cells of one list. @param placed  kPlaced... bits of each cell
+/// The cells of one list. @param phase  kMarkEarly or kMarkLate
 void countCellsOf(const scene::SceneData& scene, const CellDecisions& cells, gpu::uint phase,
-                  std::span<const std::uint8_t> placed, std::span<gpu::uint> objectMarks, FrameCounters& counters) {
+                  std::span<gpu::uint> objectMarks, FrameCounters& counters) {
+  const std::span<const std::uint8_t> placed = phase == gpu::kMarkEarly ? cells.placed.early : cells.placed.late;
   for (std::size_t i = 0; i < cells.marks.size(); ++i) {
     if ((cells.marks[i] & phase) == 0) continue;
     const gpu::Object& cell = scene.cells.objects[i];
@@ -87,13 +88,14 @@ void countCellsOf(const scene::SceneData& scene, const CellDecisions& cells, gpu
 
 }  // namespace
 
-void countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
-                const PlacedInstances& placed, std::span<gpu::uint> objectMarks, FrameCounters& counters) {
+FrameCounters countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
+                         std::span<gpu::uint> objectMarks) {
   JAL_CHECK(cells.states.size() == scene.cells.objects.size());
   JAL_CHECK(cells.marks.size() == scene.cells.objects.size());
-  if (has(view.traits, gpu::kTraitTwoPhases))
-    countCellsOf(scene, cells, gpu::kMarkEarly, placed.early, objectMarks, counters);
-  countCellsOf(scene, cells, gpu::kMarkLate, placed.late, objectMarks, counters);
+  FrameCounters counters = {};
+  if (has(view.traits, gpu::kTraitTwoPhases)) countCellsOf(scene, cells, gpu::kMarkEarly, objectMarks, counters);
+  countCellsOf(scene, cells, gpu::kMarkLate, objectMarks, counters);
+  return counters;
 }
 
 FrameCounters countStates(const scene::SceneData& scene, const gpu::CullView& view,

@@ -37,12 +37,14 @@ std::uint64_t trianglesOf(const scene::SceneData& scene, const gpu::Chain& chain
 struct CellDecisions {
   std::span<const gpu::ObjectState> states;  ///< [scene.cells.objects.size()]
   std::span<const gpu::uint> marks;
+  PlacedInstances placed;  ///< of the cells
 };
 
-/// Scenes with cells: adds the cells of the lists to the counters. Twin of shaders/visibility/count_cells.comp.
+/// Scenes with cells: counts the cells of the lists. The figures of objects are those of countStates, to be added.
+/// Twin of shaders/visibility/count_cells.comp.
 /// @param objectMarks  [scene.objects.size()]; get kMarkPlaced and kMarkPlacedFading, which countStates reads
-void countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
-                const PlacedInstances& placed, std::span<gpu::uint> objectMarks, FrameCounters& counters);
+FrameCounters countCells(const scene::SceneData& scene, const gpu::CullView& view, const CellDecisions& cells,
+                         std::span<gpu::uint> objectMarks);
 
 /// @param states, marks  [scene.objects.size()]
 /// @param placed  of the objects; without effect in scenes with cells

@@ -199,8 +199,7 @@ TEST_F(CellGl, CountsOfCellsEqualTheTwin) {
     const DrawLists second = buildDrawLists(scene_.drawn(), view, {states, boxes, marks}, gpu::kMarkLate, options);
     EXPECT_EQ(early.instances().read<gpu::uint>(first.instances.size()), first.instances);
     EXPECT_EQ(late.instances().read<gpu::uint>(second.instances.size()), second.instances);
-    FrameCounters expected = {};
-    countCells(scene_, view, {states, marks}, {first.placed, second.placed}, objectMarks, expected);
+    FrameCounters expected = countCells(scene_, view, {states, marks, {first.placed, second.placed}}, objectMarks);
     const FrameCounters ofObjects = countStates(scene_, view, objectStates, objectMarks);
     for (std::size_t k = 0; k < expected.size(); ++k)
       expected[k] += ofObjects[k];
