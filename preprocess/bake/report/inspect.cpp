@@ -80,12 +80,13 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   const InspectedLevel& level = chain.levels[k];
   ordered_json json = {{"lod", k}, {"triangles", level.triangles}, {"vertices", level.vertices}};
   if (k < chain.coverage.size()) json["screen_coverage"] = chain.coverage[k];
-  if (level.cells.count > 0)
+  if (level.cells.count > 0) {
     json["cells"] = {{"count", level.cells.count},
                      {"filled", level.cells.filled},
                      {"largest", level.cells.largest},
                      {"mean", static_cast<double>(level.triangles) /
                                   static_cast<double>(std::max(level.cells.filled, std::uint64_t{1}))}};
+  }
   if (level.info) json["error_object"] = level.info->errorObject;
   if (!level.info || !level.info->measures) return json;
   const asset::LodMeasures& measures = *level.info->measures;
