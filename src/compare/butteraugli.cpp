@@ -79,11 +79,15 @@ struct Sums {
   }
 };
 
-void addTile(JxlButteraugliApi* api, const ImageRgba8& reference, const ImageRgba8& test, const Range& x,
-             const Range& y, Sums& sums) {
+struct Pictures {
+  const ImageRgba8& reference;
+  const ImageRgba8& test;
+};
+
+void addTile(JxlButteraugliApi* api, const Pictures& pictures, const Range& x, const Range& y, Sums& sums) {
   const JxlPixelFormat format{3, JXL_TYPE_UINT8, JXL_NATIVE_ENDIAN, 0};
-  const std::vector<std::uint8_t> a = packed(reference, x, y);
-  const std::vector<std::uint8_t> b = packed(test, x, y);
+  const std::vector<std::uint8_t> a = packed(pictures.reference, x, y);
+  const std::vector<std::uint8_t> b = packed(pictures.test, x, y);
   const std::unique_ptr<JxlButteraugliResult, FreeResult> result(
       JxlButteraugliCompute(api, x.endWithMargin - x.firstWithMargin, y.endWithMargin - y.firstWithMargin, &format,
                             a.data(), a.size(), &format, b.data(), b.size()));
@@ -111,7 +115,7 @@ ButteraugliError butteraugli(const ImageRgba8& reference, const ImageRgba8& test
   const bool whole = fitsOneTile(reference.width, reference.height);
   for (const Range& y : rangesOf(reference.height, whole ? reference.height : kTileSide))
     for (const Range& x : rangesOf(reference.width, whole ? reference.width : kTileSide))
-      addTile(api.get(), reference, test, x, y, sums);
+      addTile(api.get(), {reference, test}, x, y, sums);
   // libjxl's norm: the mean of three norms of the distances, with the exponents 3, 6 and 12.
   const double count = static_cast<double>(reference.width) * reference.height;
   const double mean = (std::pow(sums.cubes / count, 1.0 / 3.0) + std::pow(sums.sixths / count, 1.0 / 6.0) +

@@ -105,7 +105,7 @@ TEST_F(MemoryLimits, DiffEstimatesFromTheHeaders) {
   const ImageRgba8 picture{3000, 2000, std::vector<std::uint8_t>(std::size_t{4} * 3000 * 2000, 90)};
   asset::savePng(picture, file("a.png"));
   expectRefused(jalousie({"diff", file("a.png"), file("a.png"), "--max-memory", "40M"}), file("a.png"),
-                "3000x2000 pixels");
+                "Butteraugli of a tile");
   const ProgramResult compared = jalousie({"diff", file("a.png"), file("a.png")});
   EXPECT_EQ(compared.exitCode, 0) << compared.standardError;
   EXPECT_LT(compared.peakBytes, 420 * kMiB) << "the whole picture takes 480 MB for FLIP and 1.5 GB for Butteraugli";
