@@ -46,6 +46,7 @@ std::vector<double> interleavedTimes(Stage& stage, const std::vector<render::Fra
   }
   renderer.setTiming(Timing::kOff);
   std::vector<double> medians;
+  medians.reserve(times.size());
   for (std::vector<double>& samples : times)
     medians.push_back(median(std::move(samples)));
   return medians;

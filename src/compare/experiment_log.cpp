@@ -150,12 +150,13 @@ std::size_t readLog(const std::filesystem::path& folder, const std::string& fing
       if (end == std::string_view::npos) break;  // an interruption cut the line off
       const json line = json::parse(text.substr(0, end));
       if (head) {
-        if (line.at("log") != kLogVersion || line.at("experiment") != fingerprint)
+        if (line.at("log") != kLogVersion || line.at("experiment") != fingerprint) {
           throw Error(
               ErrorCode::kUsage,
               "holds another experiment (scene, path, options, driver or program differ); choose another folder, "
               "or leave out --resume to replace it",
               folder);
+        }
       } else {
         append(results, stepFrom(line));
         ++steps;

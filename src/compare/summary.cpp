@@ -222,11 +222,12 @@ ordered_json paretoJson(const std::vector<Configuration>& configurations, const 
     owners.insert(owners.end(), curves[c].size(), c);
   }
   ordered_json json = ordered_json::array();
-  for (const std::size_t i : paretoFront(points))
+  for (const std::size_t i : paretoFront(points)) {
     json.push_back({{"name", configurations[owners[i]].name},
                     {"tau", points[i].tau},
                     {"triangles", points[i].triangles},
                     {"flip", points[i].flip}});
+  }
   return json;
 }
 
@@ -251,11 +252,12 @@ ordered_json trianglesAtFlipJson(const std::vector<Configuration>& configuration
 ordered_json flipAtTrianglesJson(const std::vector<Configuration>& configurations, const std::vector<Curve>& curves,
                                  std::size_t base) {
   ordered_json rows = ordered_json::array();
-  for (const CurvePoint& point : curves[base])
+  for (const CurvePoint& point : curves[base]) {
     rows.push_back({{"tau", point.tau},
                     {"triangles", point.triangles},
                     {"flip", byName(configurations, curves,
                                     [&](const Curve& curve) { return flipAtTriangles(curve, point.triangles); })}});
+  }
   return {{"of", configurations[base].name}, {"rows", rows}};
 }
 

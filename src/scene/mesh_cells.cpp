@@ -30,11 +30,11 @@ std::uint32_t storedCells(const Mesh& mesh) {
 std::vector<glm::vec3> centroidsOf(const Mesh& mesh) {
   std::vector<glm::vec3> centroids;
   centroids.reserve(trianglesOf(mesh));
-  for (const Primitive& primitive : mesh.primitives)
+  for (const Primitive& primitive : mesh.primitives) {
+    const auto corner = [&](std::size_t i) { return primitive.positions[primitive.indices[i]]; };
     for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
-      centroids.push_back((primitive.positions[primitive.indices[i]] + primitive.positions[primitive.indices[i + 1]] +
-                           primitive.positions[primitive.indices[i + 2]]) /
-                          3.0F);
+      centroids.push_back((corner(i) + corner(i + 1) + corner(i + 2)) / 3.0F);
+  }
   return centroids;
 }
 
