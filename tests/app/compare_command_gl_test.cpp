@@ -233,7 +233,7 @@ TEST_F(CompareCommand, AReportReplacesAReportAndLeavesOtherFilesAlone) {
       << "levels switch from the frame before, though nothing else is remembered of it";
   std::ofstream(file("twice/pictures/mine.png")) << "not yours";
   ASSERT_EQ(jalousie(with(words, {"--frames", "0"})).exitCode, 0);
-  EXPECT_EQ(jsonOf(file("twice/summary.json"))["frames"]["kept"], json({0}));
+  EXPECT_EQ(jsonOf(file("twice/summary.json"))["frames"]["kept"], json::array({0U}));
   EXPECT_TRUE(
       jsonOf(file("twice/summary.json"))["configurations"][0]["popping"]["switches_per_visible_object"].is_null());
   EXPECT_EQ(textOf(file("twice/pictures/mine.png")), "not yours");
@@ -259,6 +259,7 @@ TEST_F(CompareCommand, AnInterruptionLeavesAReadableReport) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (const std::string& word : words)
       argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);

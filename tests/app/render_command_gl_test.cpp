@@ -29,9 +29,10 @@ ProgramResult jalousie(const std::vector<std::string>& arguments) {
 void writeScene(const std::filesystem::path& file) {
   tinygltf::Model model = test::emptyModel();
   const int mesh = test::addMesh(model, test::sphere(16, 8));
-  for (int i = 0; i < 9; ++i)
-    model.scenes[0].nodes.push_back(
-        test::addMeshNode(model, mesh, {1.5 * (i % 3 - 1), 1.5 * (i / 3 - 1), i == 4 ? 3.0 : -3.0}));
+  for (int row = -1; row <= 1; ++row)
+    for (int column = -1; column <= 1; ++column)
+      model.scenes[0].nodes.push_back(
+          test::addMeshNode(model, mesh, {1.5 * column, 1.5 * row, row == 0 && column == 0 ? 3.0 : -3.0}));
   asset::saveGlb(model, file);
 }
 

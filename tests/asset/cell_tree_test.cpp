@@ -118,6 +118,7 @@ TEST(CellTree, TheOrderOfTheTrianglesDoesNotMatter) {
     order[i] = i;
   std::shuffle(order.begin(), order.end(), std::mt19937(5));
   std::vector<glm::vec3> shuffled;
+  shuffled.reserve(order.size());
   for (const std::size_t i : order)
     shuffled.push_back(points[i]);
   const std::vector<std::uint32_t> other = CellTree(shuffled, 64).assign(shuffled);

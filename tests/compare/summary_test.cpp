@@ -50,6 +50,7 @@ CurvePoint pointOf(double triangles, double flip) {
 
 std::vector<Configuration> configurationsOf(const std::vector<std::string>& names) {
   std::vector<Configuration> result;
+  result.reserve(names.size());
   for (const std::string& name : names)
     result.push_back({name, "--as " + name, {}, {}});
   return result;
@@ -287,6 +288,7 @@ TEST(ParetoFront, IsWhatNoPointDominates) {
   Random random(5);
   for (int round = 0; round < 50; ++round) {
     std::vector<CurvePoint> points;
+    points.reserve(30);
     for (int i = 0; i < 30; ++i)
       points.push_back(pointOf(1.0 + random.below(12), 0.01 * random.below(12)));
     std::vector<std::size_t> expected;

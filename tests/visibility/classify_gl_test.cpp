@@ -169,10 +169,11 @@ struct Case {
 /// Whether the kernel's level is one that the twin chooses for a budget within its error. Levels follow from
 /// tau / pixelsPerUnit and from the visible share, in which the rectangle's area counts once.
 bool hasPlausibleLevel(const Case& c, const ObjectDecision& actual, float error) {
-  for (int signs = 0; signs < 9; ++signs) {
+  for (const glm::vec2 signs :
+       {glm::vec2(-1, -1), {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}) {
     gpu::CullView changed = c.view;
-    changed.tau *= 1.0F + static_cast<float>(signs % 3 - 1) * error;
-    changed.maxError *= 1.0F + static_cast<float>(signs / 3 - 1) * error;
+    changed.tau *= 1.0F + signs.x * error;
+    changed.maxError *= 1.0F + signs.y * error;
     const ObjectDecision expected = classifyObject(c.scene, changed, c.object, c.last, c.importance);
     if (actual.state.lod == expected.state.lod && actual.state.tessellation == expected.state.tessellation)
       return actual.marks == expected.marks;

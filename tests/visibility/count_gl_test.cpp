@@ -146,12 +146,14 @@ TEST_F(CountGl, ThePriceMovesAsTheTwinMovesIt) {
 
 TEST_F(CountGl, FiguresEqualTheTwinAndArriveThroughTheRing) {
   const SceneData scene = scene::buildScene(mixedFile(1000), {.patches = true});
-  for (const CullMode mode : {CullMode::kHiz, CullMode::kFrustum})
-    for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation})
+  for (const CullMode mode : {CullMode::kHiz, CullMode::kFrustum}) {
+    for (const Detail detail : {Detail::kDiscrete, Detail::kTessellation}) {
       for (const std::uint32_t capacity : {2000U, 200U, 1U}) {
         SCOPED_TRACE(testing::Message() << static_cast<int>(mode) << static_cast<int>(detail) << ' ' << capacity);
         expectCounts(scene, {.cullMode = mode, .detail = detail}, capacity);
       }
+    }
+  }
 }
 
 }  // namespace
