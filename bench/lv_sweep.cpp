@@ -10,11 +10,6 @@
 #include "gl_bench.h"
 
 namespace jalousie::bench {
-namespace {
-
-constexpr double kMostTriangles = 2e7;  // from here on, a frame takes minutes on a software renderer
-
-}  // namespace
 
 Sample Stage::sample(const render::FrameOptions& options) {
   const ImageRgba8 image = settledImage(renderer, options, camera);

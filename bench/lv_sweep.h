@@ -11,6 +11,7 @@ namespace jalousie::bench {
 
 inline constexpr float kTaus[] = {8.0F, 4.0F, 2.0F, 1.0F, 0.5F, 0.25F, 0.125F};  // pixels
 inline constexpr std::size_t kOnePixel = 3;                                      // index of tau = 1
+inline constexpr double kMostTriangles = 2e7;  // from here on, a frame takes minutes on a software renderer
 
 /// One picture against the one with every object at its finest level.
 struct Sample {

@@ -16,7 +16,6 @@
 namespace jalousie::bench {
 namespace {
 
-constexpr double kMostTriangles = 2e7;  // from here on, a frame takes minutes on a software renderer
 constexpr int kRounds = 7;
 
 double frameMs(render::FrameRenderer& renderer) {

@@ -134,4 +134,21 @@ std::vector<std::uint32_t> CellTree::assign(std::span<const glm::vec3> centroids
   return cells;
 }
 
+glm::vec3 triangleCentroid(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return {(glm::dvec3(a) + glm::dvec3(b) + glm::dvec3(c)) / 3.0};
+}
+
+CellOrder orderByCell(std::span<const std::uint32_t> cells, std::uint32_t cellCount) {
+  CellOrder order;
+  order.triangles.resize(cells.size());
+  std::vector<std::uint32_t> next(cellCount, 0);  // per cell the place of its next triangle
+  for (const std::uint32_t cell : cells)
+    ++next[cell];
+  std::exclusive_scan(next.begin(), next.end(), next.begin(), 0U);
+  for (std::uint32_t triangle = 0; triangle < cells.size(); ++triangle)
+    order.triangles[next[cells[triangle]]++] = triangle;
+  order.ends = std::move(next);
+  return order;
+}
+
 }  // namespace jalousie::asset

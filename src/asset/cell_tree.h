@@ -37,4 +37,16 @@ class CellTree {
   std::vector<Node> nodes_;  ///< depth first, the root first
 };
 
+/// In double precision, because the sum of three floats may be too large for a float. @param a, b, c  finite
+glm::vec3 triangleCentroid(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// Triangles in the order of their cells.
+struct CellOrder {
+  std::vector<std::uint32_t> triangles;  ///< their numbers: cell by cell, within a cell ascending
+  std::vector<std::uint32_t> ends;       ///< behind each cell's triangles in `triangles`
+};
+
+/// @param cells  of each triangle, below cellCount
+CellOrder orderByCell(std::span<const std::uint32_t> cells, std::uint32_t cellCount);
+
 }  // namespace jalousie::asset

@@ -132,10 +132,10 @@ InstanceTransforms readInstances(const tinygltf::Model& model, int node, const L
   if (found.count == 0) return {};
   const auto vectors = [&](int accessor, float missing) {
     if (accessor < 0) return std::vector<glm::vec3>{glm::vec3(missing)};
-    checkVectors(model, node, accessor, limits);
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
-    if (source.bufferView < 0 && !source.sparse.isSparse) return std::vector<glm::vec3>{glm::vec3(0.0F)};
-    return readVec3(model, accessor, limits.maxInstances);
+    if (source.bufferView >= 0 || source.sparse.isSparse) return readVec3(model, accessor, limits.maxInstances);
+    checkVectors(model, node, accessor, limits);
+    return std::vector<glm::vec3>{glm::vec3(0.0F)};
   };
   checkRotations(model, found.rotation);
   return {found.count,

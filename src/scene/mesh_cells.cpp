@@ -33,26 +33,22 @@ std::vector<glm::vec3> centroidsOf(const Mesh& mesh) {
   for (const Primitive& primitive : mesh.primitives) {
     const auto corner = [&](std::size_t i) { return primitive.positions[primitive.indices[i]]; };
     for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
-      centroids.push_back((corner(i) + corner(i + 1) + corner(i + 2)) / 3.0F);
+      centroids.push_back(asset::triangleCentroid(corner(i), corner(i + 1), corner(i + 2)));
   }
   return centroids;
 }
 
-/// Puts the triangles of one primitive in the order of their cells; the order within a cell stays.
-/// @param cells  per triangle of the primitive
+/// Puts the triangles of one primitive in the order of their cells. @param cells  per triangle of the primitive
 void sortByCell(const Primitive& primitive, std::span<const std::uint32_t> cells, MeshCells& result) {
-  std::vector<std::uint32_t> ends(result.count, 0);
-  for (const std::uint32_t cell : cells)
-    ends[cell] += 3;
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<std::uint32_t> next(result.count, 0);
-  std::copy(ends.begin(), ends.end() - 1, next.begin() + 1);
-  std::vector<std::uint32_t> indices(primitive.indices.size());
-  for (std::size_t triangle = 0; triangle < cells.size(); ++triangle) {
-    std::uint32_t& place = next[cells[triangle]];
-    std::copy_n(primitive.indices.begin() + static_cast<std::ptrdiff_t>(3 * triangle), 3, indices.begin() + place);
-    place += 3;
-  }
+  const asset::CellOrder order = asset::orderByCell(cells, result.count);
+  std::vector<std::uint32_t> indices;
+  indices.reserve(primitive.indices.size());
+  for (const std::uint32_t triangle : order.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      indices.push_back(primitive.indices[3 * std::size_t{triangle} + k]);
+  std::vector<std::uint32_t> ends = order.ends;
+  for (std::uint32_t& end : ends)
+    end *= 3;
   result.indices.push_back(std::move(indices));
   result.ends.push_back(std::move(ends));
 }

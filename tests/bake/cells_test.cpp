@@ -240,7 +240,7 @@ TEST(BakedCells, LargeCoordinatesHaveCentroids) {
   const auto tree = divideIntoCells(mesh, {10, false});
   ASSERT_TRUE(tree.has_value());
   EXPECT_EQ(tree->cellCount(), 10U);
-  const CellOrder order = orderByCells(mesh, tree);
+  const asset::CellOrder order = orderByCells(mesh, tree);
   std::vector<std::uint32_t> expected(100);
   std::iota(expected.begin(), expected.end(), 0U);
   EXPECT_EQ(order.triangles, expected) << "along y";

@@ -144,19 +144,8 @@ TEST(Butteraugli, MemoryFollowsThePictureUpToATile) {
   EXPECT_LT(butteraugliBytes(16384, 4096), std::uint64_t{400} << 20U);
 }
 
-std::optional<std::filesystem::path> findProgram(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    std::error_code ignored;
-    const std::filesystem::path file = std::filesystem::path(folder) / name;
-    if (std::filesystem::is_regular_file(file, ignored)) return file;
-  }
-  return std::nullopt;
-}
-
 TEST(Butteraugli, HasTheValuesOfLibjxlsProgram) {
-  const std::optional<std::filesystem::path> program = findProgram("butteraugli_main");
+  const std::optional<std::filesystem::path> program = test::findProgram("butteraugli_main");
   if (!program) GTEST_SKIP() << "no butteraugli_main in PATH (Debian package libjxl-devtools)";
   const test::TemporaryFolder folder;
   for (const auto& [width, height] : {std::pair{160U, 96U}, {123U, 77U}}) {

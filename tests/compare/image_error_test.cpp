@@ -643,21 +643,10 @@ TEST(ErrorPicture, ShowsValuesOutsideAsTheEnds) {
   EXPECT_EQ(errorPicture({-0.5F, 1.5F}, 2, 1).pixels, errorPicture({0.0F, 1.0F}, 2, 1).pixels);
 }
 
-std::optional<std::filesystem::path> findProgram(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    std::error_code ignored;
-    const std::filesystem::path file = std::filesystem::path(folder) / name;
-    if (std::filesystem::is_regular_file(file, ignored)) return file;
-  }
-  return std::nullopt;
-}
-
 class Ffmpeg : public testing::Test {
  protected:
   void SetUp() override {
-    const std::optional<std::filesystem::path> found = findProgram("ffmpeg");
+    const std::optional<std::filesystem::path> found = test::findProgram("ffmpeg");
     if (!found) GTEST_SKIP() << "no ffmpeg in PATH";
     program_ = *found;
   }

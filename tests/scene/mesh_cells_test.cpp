@@ -145,6 +145,17 @@ TEST(MeshCells, MoreCellsThanTheLimitAreRefused) {
   EXPECT_EQ(test::codeOf([&] { divideMeshes(file, {Kind::kCount, 64}); }), ErrorCode::kLimit);
 }
 
+TEST(MeshCells, PositionsWhoseSumOverflowsAreDivided) {
+  asset::SceneFile file = test::sphereChain(1);
+  file.meshes[0].primitives[0] = test::sphere(64, 33);
+  for (glm::vec3& position : file.meshes[0].primitives[0].positions)
+    position *= 3e38F;
+  test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
+  const MeshCells cells = divideMeshes(file, {Kind::kCount, 256}).front();
+  EXPECT_EQ(cells.count, 16U);
+  EXPECT_EQ(cells.indices[0].size(), file.meshes[0].primitives[0].indices.size());
+}
+
 TEST(MeshCells, EstimateOfTheirNumberIsAnUpperBound) {
   const asset::SceneFile file = twoChains();
   const SceneData whole = buildScene(file);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,5 +75,8 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The file that a shell would run: the first of this name in the folders of PATH.
+std::optional<std::filesystem::path> findProgram(const std::string& name);
 
 }  // namespace jalousie::test

@@ -107,7 +107,7 @@ struct LocalTriangles {
   std::vector<std::uint32_t> cellSizes;  ///< triangles of each cell
 };
 
-LocalTriangles trianglesOf(const CombinedMesh& combined, std::size_t primitive, const CellOrder& order) {
+LocalTriangles trianglesOf(const CombinedMesh& combined, std::size_t primitive, const asset::CellOrder& order) {
   LocalTriangles local;
   std::size_t at = 0;
   for (const std::uint32_t end : order.ends) {
@@ -199,7 +199,7 @@ CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh
 }
 
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const CellOrder& order) {
+                            const asset::CellOrder& order) {
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;

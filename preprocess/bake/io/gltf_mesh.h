@@ -32,6 +32,6 @@ struct WrittenMesh {
 /// order of the vertex cache, vertices in the order of their first use. Primitives without triangles are left out.
 /// @param order  of the triangles of `combined`
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const CellOrder& order);
+                            const asset::CellOrder& order);
 
 }  // namespace jalousie::bake

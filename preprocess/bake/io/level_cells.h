@@ -22,13 +22,7 @@ std::optional<asset::CellTree> divideIntoCells(const CombinedMesh& finest, const
 
 inline constexpr std::uint32_t kLeastPerPrimitive = 8;
 
-/// The triangles of a level in the order of cells.
-struct CellOrder {
-  std::vector<std::uint32_t> triangles;  ///< numbers of the level's triangles: cell by cell, within a cell ascending
-  std::vector<std::uint32_t> ends;       ///< behind each cell's triangles in `triangles`
-};
-
-/// All triangles in one cell if there is no tree. @param level  positions finite
-CellOrder orderByCells(const CombinedMesh& level, const std::optional<asset::CellTree>& tree);
+/// The triangles of a level in the order of cells; all in one cell if there is no tree. @param level  positions finite
+asset::CellOrder orderByCells(const CombinedMesh& level, const std::optional<asset::CellTree>& tree);
 
 }  // namespace jalousie::bake
