@@ -143,7 +143,8 @@ std::vector<std::size_t> validateMeshes(const Model& model) {
   return cells;
 }
 
-/// A cell has the same number in all levels of a chain.
+/// A cell has the same number in all levels of a chain. Reads the meshes of other nodes: every reference to a mesh has
+/// been checked.
 void validateCells(const Model& model, std::size_t node, int level, const std::vector<std::size_t>& cells) {
   const int finest = model.nodes[node].mesh;
   const int mesh = model.nodes[static_cast<std::size_t>(level)].mesh;
@@ -168,7 +169,17 @@ void validateInstancing(const Model& model, const tinygltf::Node& node, std::siz
 }
 
 /// @param cells  of each mesh
-void validateNodes(const Model& model, const std::vector<std::size_t>& cells) {
+void validateLevels(const Model& model, const std::vector<std::size_t>& cells) {
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    for (const int level : lodNodes(model, static_cast<int>(i))) {
+      if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
+        malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
+      validateCells(model, i, level, cells);
+    }
+  }
+}
+
+void validateNodes(const Model& model) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
     requireOptional(node.mesh, model.meshes.size(), "node", i, "mesh");
@@ -183,11 +194,6 @@ void validateNodes(const Model& model, const std::vector<std::size_t>& cells) {
       validateWeights(node.weights, model.meshes[static_cast<std::size_t>(node.mesh)], fmt::format("node {}", i));
     }
     validateInstancing(model, node, i);
-    for (const int level : lodNodes(model, static_cast<int>(i))) {
-      if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
-        malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
-      validateCells(model, i, level, cells);
-    }
   }
 }
 
@@ -307,7 +313,8 @@ void validateModel(const Model& model, const Limits& limits) {
   validateRanges(model, limits);
   validateMaterials(model);
   const std::vector<std::size_t> cells = validateMeshes(model);
-  validateNodes(model, cells);
+  validateNodes(model);
+  validateLevels(model, cells);
   const std::vector<std::uint8_t> isChild = markChildren(model);
   validateHierarchy(model, isChild);
   validateScenes(model, isChild);

@@ -228,6 +228,13 @@ TEST(LodCells, ALevelWithoutThemIsRefused) {
   }
 }
 
+TEST(LodCells, LevelsWhoseMeshDoesNotExistAreRefused) {
+  for (const std::string node : {"0", "1"}) {
+    for (const int mesh : {2, 1'000'000, 2147483647})
+      EXPECT_NE(refusal("/nodes/" + node + "/mesh", mesh).find("node " + node + ": mesh"), std::string::npos) << mesh;
+  }
+}
+
 TEST(LodCells, OlderFormatsHaveNone) {
   const std::vector<std::byte> good = encodeGlb(chain());
   for (const int format : {1, 2}) {
