@@ -1,6 +1,7 @@
 // Chooses the level of detail from the level of visibility and the size on the screen. Include a file with CullView,
 // chains and lods before. CPU twin: src/visibility/lod_policy.cpp
 #include "lib/fading.glsl"
+#include "lib/masking.glsl"
 
 /// Of the last frame, with a budget of triangles.
 layout(std140, binding = kBindingPrice) uniform PriceBlock { PriceState priceState; };
@@ -152,6 +153,7 @@ struct DetailInput {
   float area;           // of the bounding rectangle, pixels; of the screen if there is no rectangle
   bool seen;            // a pixel of the last frame showed the object, or no count says
   ObjectState last;     // of the last frame, where the marks have kMarkKnown or kMarkRemembered
+  uint cover;           // as ScreenBox; with kTraitMasksError it masks errors
 };
 
 /// What an object may deviate by on the screen, and what its triangles cost.
@@ -161,6 +163,7 @@ struct Budget {
   float share;     // visible share
   float pixels;    // visible pixels
   float maxError;  // limit of the largest deviation, pixels
+  float masking;   // factor by which errors count less behind small holes
 };
 
 /// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
@@ -171,11 +174,12 @@ bool isThin(DetailInput object) {
 }
 
 Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
-  Budget budget = Budget(object.tau, hasTrait(kTraitFollowsLv) ? relaxedBudget(lv, cullView.relax) : 1.0,
-                         visibleShare(lv), visiblePixels(lv, object.area), cullView.maxError);
-  if (isThin(object)) budget.maxError = min(budget.maxError, object.tau);
+  float relaxed = hasTrait(kTraitFollowsLv) ? relaxedBudget(lv, cullView.relax) : 1.0;
+  Budget budget = Budget(object.tau, relaxed, visibleShare(lv), visiblePixels(lv, object.area), cullView.maxError,
+                         maskingInUse(object.cover));
+  if (isThin(object)) budget.maxError = min(budget.maxError, object.tau * budget.masking);
   if (calm) {
-    budget.relaxed = min(budget.relaxed, kMostCalmRelaxed);
+    budget.relaxed = min(budget.relaxed, kMostCalmRelaxed / budget.masking);
     budget.share = max(budget.share, kLeastCalmShare);
     budget.pixels = max(budget.pixels, kLeastCalmPixels);
   } else if (counted && !object.seen) {
@@ -184,17 +188,20 @@ Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
   return budget;
 }
 
+/// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
 Price priceOf(Budget budget, float margin) {
   float tau = budget.tau * margin;
   float factor = cullView.triangleBudget > 0u ? exp(priceState.logFactor) : 1.0;
-  return Price(budget.pixels, kTrianglePrice * tau * tau * factor, budget.maxError * min(margin, 1.0));
+  return Price(budget.pixels, kTrianglePrice * tau * tau * factor * budget.masking,
+               budget.maxError * min(margin, 1.0));
 }
 
 /// Level of the chain that the budget allows at tau * margin.
 uint budgetLod(DetailInput object, Budget budget, float margin) {
   if (hasTrait(kTraitPrice)) return pricedLod(object.chain, object.pixelsPerUnit, priceOf(budget, margin));
-  return relaxedLod(object.chain, object.pixelsPerUnit, budget.tau * margin, budget.relaxed, budget.share);
+  float tau = budget.tau * margin * budget.masking;
+  return relaxedLod(object.chain, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
 
 /// The same for the patches.
@@ -204,7 +211,8 @@ uint budgetTessellation(DetailInput object, Budget budget, float margin) {
   if (hasTrait(kTraitPrice))
     return pricedTessellation(errorPixels, float(patches.triangleCount), priceOf(budget, margin),
                               cullView.maxTessellation);
-  return pixelErrorTessellation(errorPixels, budget.tau * margin * budget.relaxed, cullView.maxTessellation);
+  float tau = budget.tau * margin * budget.masking;
+  return pixelErrorTessellation(errorPixels, tau * budget.relaxed, cullView.maxTessellation);
 }
 
 /// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes

@@ -30,6 +30,10 @@ const uint kMaxBlockSide = 16u;
 const uint kMinSpectrumSide = 4u;
 /// Open chord in pixels at which the chord measure halves (docs/level_of_visibility.md).
 const float kChordPixels = 16.0;
+/// Masking: an error behind holes with a mean chord of d pixels counts (kMaskingPixels / d)^kMaskingExponent times
+/// less, with d clamped to [1, kMaskingPixels] (docs/level_of_visibility.md).
+const float kMaskingPixels = 64.0;
+const float kMaskingExponent = 0.3F;
 /// The smallest visible share that a budget is relaxed for.
 const float kLeastShare = 1.0 / 1073741824.0;
 /// Share of its rectangle that an object in full sight is taken to fill.

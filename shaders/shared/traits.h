@@ -18,6 +18,7 @@ const uint kTraitTwoPhases = 16u;      // what was visible in the last frame is 
 const uint kTraitFollowsError = 256u;  // levels follow the screen-space error
 const uint kTraitFollowsLv = 512u;     // levels follow the level of visibility
 const uint kTraitPrice = 1024u;        // with both: levels have the least sum of visible error and priced triangles
+const uint kTraitMasksError = 2048u;   // with the first: errors count less behind small holes
 
 // Visibility measure; none of them: LV stays at its least value.
 const uint kTraitLvThesis = 65536u;     // four DCT coefficients (thesis 3.5)

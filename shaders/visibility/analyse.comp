@@ -5,7 +5,8 @@
 // occluders lie in front of the object. JAL_HIZ: from a depth pyramid; a texel is covered if its farthest depth lies in
 // front of the object.
 // One thread: one object (one workgroup per object measured several times slower). Reads boxes, and the map or pyramid.
-// Writes states, marks, and ScreenBox.cover where a view shows it. Barrier owed: SHADER_STORAGE for bin_objects.comp.
+// Writes states, marks, and ScreenBox.cover where a view shows it or it masks errors.
+// Barrier owed: SHADER_STORAGE for bin_objects.comp.
 // CPU twin: src/visibility/overlap_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -90,7 +91,7 @@ BlockSums sumDifferences(Block block) {
   return sums;
 }
 
-/// Covered share of the block and its mean open chord in pixels, packed into two halves for the views of cover.
+/// Covered share of the block and its mean open chord in pixels, packed into two halves.
 uint measureCover(Block block) {
   const float kMostTexels = 32768.0;  // the largest power of two that a half holds
   BlockSums sums = sumDifferences(block);
@@ -125,8 +126,8 @@ OverlapResult testOverlap(Probe probe, bool wantsBlock) {
   return OverlapResult(kVerdictPartial, blockLv(sums, float(1u << block.level)));
 }
 
-/// What the result changes in an object: verdict, LV, phase, and where the level rule follows LV the detail of an
-/// object that is drawn late.
+/// What the result changes in an object: verdict, LV, phase, and where the level rule follows LV or masks errors the
+/// detail of an object that is drawn late and has no count.
 void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectState state, inout uint mark) {
   ObjectState last = state;
   bool early = (mark & kMarkEarly) != 0u;
@@ -143,10 +144,11 @@ void applyOverlap(OverlapResult result, uint id, ScreenBox box, inout ObjectStat
     return;
   }
   mark |= early ? kMarkVisible : kMarkVisible | kMarkLate;
-  if (early || counted || !hasTrait(kTraitFollowsLv)) return;
+  if (early || counted || !hasTrait(kTraitFollowsLv | kTraitMasksError)) return;
   bool known = (mark & kMarkKnown) != 0u;
   float area = (box.maxX - box.minX) * (box.maxY - box.minY);
-  chooseDetail(DetailInput(chains[objects[id].chain], box.pixelsPerUnit, box.tau, area, known, last), state, mark);
+  Chain chain = chains[objects[id].chain];
+  chooseDetail(DetailInput(chain, box.pixelsPerUnit, box.tau, area, known, last, box.cover), state, mark);
 }
 
 void main() {
@@ -157,7 +159,8 @@ void main() {
   ObjectState state = states[id];
   uint mark = marks[id];
   OverlapResult result = testOverlap(probe, cullView.analyse != 0u && (mark & kMarkCounted) == 0u);
-  if (cullView.measureCover != 0u) boxes[id].cover = measureCover(blockOf(probe));
+  bool masks = hasTrait(kTraitMasksError) && result.verdict != kVerdictOccluded;
+  if (masks || cullView.measureCover != 0u) boxes[id].cover = box.cover = measureCover(blockOf(probe));
   applyOverlap(result, id, box, state, mark);
   marks[id] = mark;
   states[id] = state;

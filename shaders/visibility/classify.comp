@@ -1,6 +1,7 @@
 // Frustum culling, size on screen, occluder selection, and the first choice of detail (thesis 3.2, 4.1.2).
 //
-// One thread: one object. Reads transforms, objects, chains, lods; and marks, states and pixelCounts of the last frame.
+// One thread: one object. Reads transforms, objects, chains, lods; and marks, states, pixelCounts and
+// ScreenBox.cover of the last frame.
 // Writes states, boxes, marks. Barrier owed: SHADER_STORAGE for analyse.comp and bin_objects.comp.
 // CPU twin: src/visibility/classify_reference.cpp
 #version 450 core
@@ -94,10 +95,19 @@ float lvBeforeTest(History history, uint verdict, float area) {
   return isTestedLater(verdict) && hasTrait(kTraitTwoPhases) ? history.state.lv : -1.0;
 }
 
+/// Whether LV follows from a block that only analyse.comp looks at.
+bool lvWaitsForBlock() { return hasTrait(kTraitFollowsLv) && !hasTrait(kTraitLvPixels) && hasTrait(kTraitUsesMap); }
+
 /// Whether the detail follows from a block that only analyse.comp looks at: until then it stays as it was.
-bool waitsForBlock(History history, uint verdict) {
-  bool followsBlock = hasTrait(kTraitFollowsLv) && !hasTrait(kTraitLvPixels);
-  return isTestedLater(verdict) && (history.known || history.remembered) && hasTrait(kTraitUsesMap) && followsBlock;
+bool waitsForBlock(History history, uint verdict, bool early) {
+  bool masks = hasTrait(kTraitMasksError) && !early && !history.counted;
+  bool followsBlock = lvWaitsForBlock() || masks;
+  return isTestedLater(verdict) && (history.known || history.remembered) && followsBlock;
+}
+
+/// The cover that masks the errors of an object that does not wait for its block: the last one measured.
+uint coverBeforeTest(History history, uint verdict, uint last) {
+  return hasTrait(kTraitMasksError) && history.known && isTestedLater(verdict) ? last : kCoverOpen;
 }
 
 /// @param rect  pixels, clipped; 0 if there is no rectangle
@@ -132,15 +142,18 @@ void main() {
   History history = historyOf(id);
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
               marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
+  screen.cover = coverBeforeTest(history, verdict, boxes[id].cover);
   vec2 size = hasRect ? rect.zw - rect.xy : viewport;
   float area = size.x * size.y;
   float lv = lvBeforeTest(history, verdict, area);
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, lv);
-  if (waitsForBlock(history, verdict)) {
-    state = ObjectState(verdict, history.state.lod, history.state.tessellation, history.state.lv);
+  if (waitsForBlock(history, verdict, (mark & kMarkEarly) != 0u)) {
+    state = ObjectState(verdict, history.state.lod, history.state.tessellation,
+                        lvWaitsForBlock() ? history.state.lv : lv);
   } else {
     bool seen = history.known && (!history.counted || history.pixels > 0u);
-    chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, area, seen, history.state), state, mark);
+    chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, area, seen, history.state, screen.cover), state,
+                 mark);
   }
   boxes[id] = screen;
   marks[id] = mark;

@@ -38,6 +38,13 @@ FramePolicy policyOf(const Options& o) {
   return policy;
 }
 
+/// Whether masking would change anything if it were chosen.
+bool canMask(const Options& o) {
+  FramePolicy policy = policyOf(o);
+  policy.masking = true;
+  return masksErrors(policy);
+}
+
 std::string modesWithMap() {
   return "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::usesMap);
 }
@@ -194,6 +201,14 @@ std::vector<RenderOption> levelRows() {
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.maxError; }, 0.0F, 1000.0F},
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
        [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
+      {"--masking", "masking", "",
+       "Let the error of a partly covered object count (64 / d)^0.3 times less, at most 3.5 times; d is the mean open "
+       "chord in front of it in pixels. Behind small holes SSIM and Butteraugli tolerate more error than behind a "
+       "window, but mostly less than this factor; FLIP tolerates less than behind a window",
+       OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.masking; }},
+       rulesWithError() + ", with --mode " + policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion) +
+           " and without --lv " + policy::namesWith(lvMeasureTable(), &LvMeasureRow::measuresHoles),
+       canMask},
   };
 }
 

@@ -60,6 +60,7 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
     json["max_error"] = options.frameOptions.maxError;
     json["triangle_budget"] = options.frameOptions.triangleBudget;
   }
+  if (masksErrors(options.frameOptions)) json["masking"] = true;
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);

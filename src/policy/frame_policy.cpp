@@ -4,7 +4,8 @@
 namespace jalousie {
 
 gpu::uint traitsOf(const FramePolicy& policy) {
-  return traitsOf(policy.cullMode) | traitsOf(policy.lodRule) | traitsOf(policy.lvMeasure) | traitsOf(policy.detail);
+  return traitsOf(policy.cullMode) | traitsOf(policy.lodRule) | traitsOf(policy.lvMeasure) | traitsOf(policy.detail) |
+         (masksErrors(policy) ? gpu::kTraitMasksError : 0);
 }
 
 LvMeasure defaultMeasure(const FramePolicy& policy) {
@@ -22,6 +23,12 @@ bool countsPixels(const FramePolicy& policy) {
 
 bool wantsBlock(const FramePolicy& policy) {
   return wantsLv(policy) && !rowOf(policy.lvMeasure).countsPixels;
+}
+
+bool masksErrors(const FramePolicy& policy) {
+  const LodRuleRow& rule = rowOf(policy.lodRule);
+  const bool twice = rule.followsLv && rowOf(policy.lvMeasure).measuresHoles;
+  return policy.masking && rule.followsError && rowOf(policy.cullMode).testsOcclusion && !twice;
 }
 
 bool dependsOnHistory(const FramePolicy& policy) {

@@ -16,7 +16,8 @@ struct FramePolicy {
   LvMeasure lvMeasure = LvMeasure::kPixels;
   Detail detail = Detail::kDiscrete;
   View view = View::kShaded;
-  bool calm = false;  ///< hysteresis, one level at a time and cross-fades, for rules that follow the error
+  bool calm = false;     ///< hysteresis, one level at a time and cross-fades, for rules that follow the error
+  bool masking = false;  ///< errors count less behind small holes; see masksErrors()
 };
 
 /// gpu::CullView::traits of a policy: kTrait... of shared/traits.h.
@@ -29,6 +30,9 @@ bool wantsLv(const FramePolicy& policy);
 bool countsPixels(const FramePolicy& policy);
 /// Whether LV is computed from a block of the occlusion map or depth pyramid, which needs a mode that tests occlusion.
 bool wantsBlock(const FramePolicy& policy);
+/// Whether masking applies: the rule follows the error, the mode tests occlusion, and no measure of LV that is in use
+/// contains the size of the holes already.
+bool masksErrors(const FramePolicy& policy);
 /// Whether a frame depends on the frames before it, so that a first frame differs from a settled one.
 bool dependsOnHistory(const FramePolicy& policy);
 

@@ -22,7 +22,8 @@ struct LvMeasureRow {
   /// Counted in past frames: needs history. Other measures read a block of the occlusion map or depth pyramid: they
   /// need a mode that tests occlusion.
   bool countsPixels = false;
-  const char* help;  ///< phrase for --help, panel and docs
+  bool measuresHoles = false;  ///< contains the size of the holes, so that masking would apply it twice
+  const char* help;            ///< phrase for --help, panel and docs
 };
 
 /// All measures, in the order of LvMeasure.

@@ -89,11 +89,23 @@ float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint 
   return isTestedLater(view, verdict) && has(view.traits, gpu::kTraitTwoPhases) ? history.state.lv : -1.0F;
 }
 
+/// Whether LV follows from a block that only analyse.comp looks at.
+bool lvWaitsForBlock(const gpu::CullView& view) {
+  return has(view.traits, gpu::kTraitFollowsLv) && !has(view.traits, gpu::kTraitLvPixels) &&
+         has(view.traits, gpu::kTraitUsesMap);
+}
+
 /// Whether the detail follows from a block that only analyse.comp looks at: until then it stays as it was.
-bool waitsForBlock(const gpu::CullView& view, const History& history, gpu::uint verdict) {
-  const bool followsBlock = has(view.traits, gpu::kTraitFollowsLv) && !has(view.traits, gpu::kTraitLvPixels);
-  return isTestedLater(view, verdict) && (history.known || history.remembered) &&
-         has(view.traits, gpu::kTraitUsesMap) && followsBlock;
+bool waitsForBlock(const gpu::CullView& view, const History& history, gpu::uint verdict, bool early) {
+  const bool masks = has(view.traits, gpu::kTraitMasksError) && !early && !history.counted;
+  const bool followsBlock = lvWaitsForBlock(view) || masks;
+  return isTestedLater(view, verdict) && (history.known || history.remembered) && followsBlock;
+}
+
+/// The cover that masks the errors of an object that does not wait for its block: the last one measured.
+gpu::uint coverBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, gpu::uint last) {
+  const bool masks = has(view.traits, gpu::kTraitMasksError) && history.known && isTestedLater(view, verdict);
+  return masks ? last : gpu::kCoverOpen;
 }
 
 /// @param rect  pixels, clipped; 0 if there is no rectangle
@@ -217,11 +229,13 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
   result.marks = phasesOf(verdict, isExpectedVisible(history.marks, rect, view), view.traits) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history) |
                  mapLodMark(scene, view, chain, result.box.pixelsPerUnit);
+  result.box.cover = coverBeforeTest(view, history, verdict, last.cover);
   const glm::vec2 size = hasRect ? glm::vec2(rect.z - rect.x, rect.w - rect.y) : viewport;
   const float lv = lvBeforeTest(view, history, verdict, size.x * size.y);
   result.state = {verdict, 0, view.maxTessellation, lv};
-  if (waitsForBlock(view, history, verdict)) {
-    result.state = {verdict, history.state.lod, history.state.tessellation, history.state.lv};
+  if (waitsForBlock(view, history, verdict, (result.marks & gpu::kMarkEarly) != 0)) {
+    result.state = {verdict, history.state.lod, history.state.tessellation,
+                    lvWaitsForBlock(view) ? history.state.lv : lv};
   } else {
     const bool seen = history.known && (!history.counted || history.pixels > 0);
     DetailInput input = detailInput(scene, chain, result.box, seen, history.state);

@@ -56,8 +56,9 @@ gpu::uint phasesOf(gpu::uint verdict, bool expectedVisible, gpu::uint traits);
 struct LastFrame {
   gpu::ObjectState state{};
   gpu::uint marks = 0;
-  gpu::uint pixels = 0;      ///< visible ones, when they were last counted
-  float priceFactor = 1.0F;  ///< of all objects: priceFactor() after that frame
+  gpu::uint pixels = 0;               ///< visible ones, when they were last counted
+  float priceFactor = 1.0F;           ///< of all objects: priceFactor() after that frame
+  gpu::uint cover = gpu::kCoverOpen;  ///< as gpu::ScreenBox
 };
 
 /// What the kernel writes for one object. @param importance  null: no mask

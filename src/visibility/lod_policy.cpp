@@ -9,6 +9,7 @@
 #include "scene/patch_base.h"
 #include "scene/scene_data.h"
 #include "shared/limits.h"
+#include "visibility/masking.h"
 
 namespace jalousie::visibility {
 
@@ -151,7 +152,8 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
           chain.surfaceObject,
           1.0F,
           seen,
-          last};
+          last,
+          box.cover};
 }
 
 namespace {
@@ -164,6 +166,7 @@ struct Budget {
   float pixels;    ///< visible pixels
   float maxError;  ///< limit of the largest deviation, pixels
   float priceFactor;
+  float masking;  ///< factor by which errors count less behind small holes
 };
 
 /// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
@@ -175,13 +178,17 @@ bool isThin(const DetailInput& object) {
 
 /// @param calm  the level follows the budget with hysteresis   @param counted  the object's pixels have been counted
 Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, bool calm, bool counted) {
-  const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);
-  Budget budget{object.tau,       followsLv ? relaxedBudget(lv, view.relax) : 1.0F,
-                visibleShare(lv), visiblePixels(lv, object.area),
-                view.maxError,    object.priceFactor};
-  if (isThin(object)) budget.maxError = std::min(budget.maxError, object.tau);
+  const float relaxed = has(view.traits, gpu::kTraitFollowsLv) ? relaxedBudget(lv, view.relax) : 1.0F;
+  Budget budget{object.tau,
+                relaxed,
+                visibleShare(lv),
+                visiblePixels(lv, object.area),
+                view.maxError,
+                object.priceFactor,
+                maskingInUse(object.cover, view.traits)};
+  if (isThin(object)) budget.maxError = std::min(budget.maxError, object.tau * budget.masking);
   if (calm) {
-    budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed);
+    budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed / budget.masking);
     budget.share = std::max(budget.share, gpu::kLeastCalmShare);
     budget.pixels = std::max(budget.pixels, gpu::kLeastCalmPixels);
   } else if (counted && !object.seen) {
@@ -190,10 +197,11 @@ Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, 
   return budget;
 }
 
+/// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
 Price priceOf(const Budget& budget, float margin) {
   const float tau = budget.tau * margin;
-  return {budget.pixels, gpu::kTrianglePrice * tau * tau * budget.priceFactor,
+  return {budget.pixels, gpu::kTrianglePrice * tau * tau * budget.priceFactor * budget.masking,
           budget.maxError * std::min(margin, 1.0F)};
 }
 
@@ -201,7 +209,8 @@ Price priceOf(const Budget& budget, float margin) {
 std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
   if (has(view.traits, gpu::kTraitPrice))
     return pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin));
-  return relaxedLod(object.levels, object.pixelsPerUnit, budget.tau * margin, budget.relaxed, budget.share);
+  const float tau = budget.tau * margin * budget.masking;
+  return relaxedLod(object.levels, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
 
 /// The same for the patches.
@@ -211,7 +220,8 @@ std::uint32_t budgetTessellation(const gpu::CullView& view, const DetailInput& o
   if (has(view.traits, gpu::kTraitPrice))
     return pricedTessellation(errorPixels, static_cast<float>(object.patches.triangleCount), priceOf(budget, margin),
                               view.maxTessellation);
-  return pixelErrorTessellation(errorPixels, budget.tau * margin * budget.relaxed, view.maxTessellation);
+  const float tau = budget.tau * margin * budget.masking;
+  return pixelErrorTessellation(errorPixels, tau * budget.relaxed, view.maxTessellation);
 }
 
 /// Levels that follow the budget with hysteresis: the last level stays while it fits within the margin, else it changes

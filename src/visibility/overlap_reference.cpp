@@ -7,6 +7,7 @@
 #include "scene/scene_data.h"
 #include "shared/limits.h"
 #include "visibility/lod_policy.h"
+#include "visibility/masking.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -68,6 +69,11 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box) {
   return block;
 }
 
+gpu::uint measuredCover(const Cover& cover, const gpu::ScreenBox& box, float guardPixels) {
+  const AnalysedBlock block = analysedBlock(cover, grown(box, cover.layout(), guardPixels));
+  return packedCover({block.x.count, block.y.count, block.opacity}, static_cast<float>(1U << block.level));
+}
+
 OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& given, float cullThreshold, float guardPixels,
                           std::optional<gpu::uint> lvTraits) {
   const gpu::ScreenBox box = grown(given, cover.layout(), guardPixels);
@@ -106,7 +112,7 @@ void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, co
     return;
   }
   object.marks |= early ? gpu::kMarkVisible : gpu::kMarkVisible | gpu::kMarkLate;
-  if (early || counted || !has(view.traits, gpu::kTraitFollowsLv)) return;
+  if (early || counted || !has(view.traits, gpu::kTraitFollowsLv | gpu::kTraitMasksError)) return;
   const bool known = (object.marks & gpu::kMarkKnown) != 0;
   chooseDetail(view, detailInput(scene, chain, object.box, known, last), object.state, object.marks);
 }

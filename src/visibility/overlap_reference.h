@@ -44,6 +44,10 @@ AnalysedBlock analysedBlock(const Cover& cover, const gpu::ScreenBox& box);
 /// A bounding rectangle that grows by so many pixels on every side, clipped to the screen of the layout.
 gpu::ScreenBox grown(gpu::ScreenBox box, const MapLayout& layout, float guardPixels);
 
+/// gpu::ScreenBox::cover of an object, as the kernel measures it.
+/// @param guardPixels  as for testOverlap
+gpu::uint measuredCover(const Cover& cover, const gpu::ScreenBox& box, float guardPixels = 0.0F);
+
 /// Verdict and LV of one object.
 struct OverlapResult {
   gpu::uint verdict = gpu::kVerdictOpen;  ///< kVerdictOccluded, kVerdictOpen or kVerdictPartial
@@ -56,8 +60,8 @@ OverlapResult testOverlap(const Cover& cover, const gpu::ScreenBox& box, float c
                           std::optional<gpu::uint> lvTraits = gpu::kTraitLvThesis);
 
 /// What the result changes in a pending object: verdict, LV (not with kMarkCounted), phase, and where the level rule
-/// follows LV the detail of an object that is drawn late.
-/// @pre object.state.verdict is kVerdictPending; view.analyse is 1
+/// follows LV or masks errors the detail of an object that is drawn late and has no count.
+/// @pre object.state.verdict is kVerdictPending; view.analyse is 1; with kTraitMasksError object.box.cover is measured
 void applyOverlap(const OverlapResult& result, const scene::SceneData& scene, const gpu::CullView& view,
                   const gpu::Chain& chain, ObjectDecision& object);
 

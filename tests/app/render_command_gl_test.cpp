@@ -123,6 +123,14 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
   EXPECT_EQ(stats["lod"], "lv-error");
   EXPECT_EQ(stats["lv"], "pixels");
   EXPECT_EQ(stats["tau"], 1.0);
+  EXPECT_FALSE(stats.contains("masking"));
+}
+
+TEST_F(RenderCommand, FiguresSayWhetherErrorsWereMasked) {
+  const ProgramResult result =
+      jalousie({"render", scene(), "--size", "64x64", "--masking", "--stats-only", "--json", file("masked.json")});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  EXPECT_EQ(json("masked.json")["masking"], true);
 }
 
 TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
@@ -145,6 +153,9 @@ TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {
       {"--lod", "lv-error", "--eye", "0,0,9", "--look", "0,0,0", "--freeze-eye", "3,0,9", "--freeze-look", "0,0,0"},
       {"--mode", "hom", "--lod", "lv-error", "--view", "occlusion", "--lv", "pixels"},
       {"--mode", "hom", "--lod", "linear", "--lv", "coverage"},
+      {"--mode", "hom", "--lod", "lv-error", "--lv", "coverage", "--masking"},
+      {"--masking", "--detail", "tessellation", "--calm"},
+      {"--masking", "--lod", "price"},
       {"--mode", "frustum", "--importance", "MASK"},
       {"--lod", "price", "--tau", "2", "--max-error", "0"},
       {"--lod", "price", "--triangles", "3000", "--detail", "tessellation", "--max-tessellation", "3"},
@@ -245,6 +256,9 @@ TEST_F(RenderCommand, ContradictoryOrMalformedOptionsAreUsageErrors) {
       {"--lod", "pixel-error", "--lv", "chord"},
       {"--lod", "lv-error", "--lv", "chord", "--mode", "frustum"},
       {"--calm", "--lod", "finest"},
+      {"--masking", "--mode", "frustum"},
+      {"--masking", "--lod", "linear", "--mode", "hom"},
+      {"--masking", "--lv", "chord"},
       {"--lod", "lv-error", "--relax", "-1"},
       {"--mode", "hom", "--lod", "pixel-error", "--settle", "1"},
       {"--capacity", "0"},

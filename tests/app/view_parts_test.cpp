@@ -162,7 +162,7 @@ TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
        {"", "--tau 0.3333333 --relax 7", "--mode hom --lod linear --lv coverage --cull-threshold 0.95",
         "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
         "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
-        "--calm --hysteresis 1.5 --fade 3",
+        "--calm --hysteresis 1.5 --fade 3", "--masking --lod pixel-error",
         "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
     const RenderOptions options = parsed(text);
     const std::string written = methodOptions(options);

@@ -69,6 +69,28 @@ TEST(Policy, TraitsOfAFrameAreThoseOfItsParts) {
                                   gpu::kTraitPatches);
 }
 
+TEST(Policy, ErrorsAreMaskedOnlyWhereTheCoverIsKnownAndHolesDoNotCountAlready) {
+  FramePolicy policy{
+      .cullMode = CullMode::kHiz, .lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone, .masking = true};
+  EXPECT_TRUE(masksErrors(policy));
+  EXPECT_EQ(traitsOf(policy) & gpu::kTraitMasksError, gpu::kTraitMasksError);
+  policy.lvMeasure = LvMeasure::kChord;
+  EXPECT_TRUE(masksErrors(policy)) << "no rule uses the measure";
+  policy.lodRule = LodRule::kLvError;
+  EXPECT_FALSE(masksErrors(policy)) << "the chord would count twice";
+  policy.lvMeasure = LvMeasure::kPixels;
+  EXPECT_TRUE(masksErrors(policy));
+  policy.cullMode = CullMode::kFrustum;
+  EXPECT_FALSE(masksErrors(policy)) << "nothing knows what is in front";
+  policy.cullMode = CullMode::kHom;
+  policy.lodRule = LodRule::kLinear;
+  EXPECT_FALSE(masksErrors(policy)) << "the rule uses no error";
+  policy.lodRule = LodRule::kPixelError;
+  policy.masking = false;
+  EXPECT_FALSE(masksErrors(policy));
+  EXPECT_EQ(traitsOf(policy) & gpu::kTraitMasksError, 0U);
+}
+
 TEST(Policy, HistoryIsNeededByTwoPhasesByCountsAndByCalmLevels) {
   FramePolicy policy{.cullMode = CullMode::kFrustum, .lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone};
   EXPECT_FALSE(dependsOnHistory(policy));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "support/gl_test.h"
 #include "support/scenes.h"
 #include "visibility/kernel_input.h"
+#include "visibility/masking.h"
 #include "visibility/overlap_reference.h"
 #include "visibility/visibility_pass.h"
 
@@ -106,6 +108,87 @@ class AnalyseGl : public test::GlTest {
     }
   }
 };
+
+/// Whether two covers differ by no more than sums of floats and halves round. Endless chords are infinite in both.
+bool isSameCover(gpu::uint actual, gpu::uint expected) {
+  const glm::vec2 a = glm::unpackHalf2x16(actual);
+  const glm::vec2 b = glm::unpackHalf2x16(expected);
+  return std::abs(a.x - b.x) <= 2e-3F && (a.y == b.y || std::abs(a.y - b.y) <= 3e-3F * b.y);
+}
+
+/// What the kernel wrote for one object, against the twin. @param given  before the kernel
+void expectSameMaskedLevel(const SceneData& scene, const gpu::CullView& view, const Cover& cover,
+                           const ObjectDecision& given, const ObjectDecision& actual) {
+  const bool occluded = actual.state.verdict == gpu::kVerdictOccluded;
+  if (occluded) {
+    ASSERT_EQ(actual.box.cover, given.box.cover) << "a block that nothing needs was measured";
+  } else {
+    ASSERT_TRUE(isSameCover(actual.box.cover, measuredCover(cover, given.box)));
+  }
+  const OverlapResult result{actual.state.verdict, actual.state.lv};
+  std::vector<gpu::uint> plausible;  // levels for a factor within rounding
+  for (const float scale : {0.999F, 1.0F, 1.001F}) {
+    ObjectDecision expected = given;
+    expected.box.cover = actual.box.cover;
+    expected.box.pixelsPerUnit *= scale;
+    applyOverlap(result, scene, view, scene.chains[0], expected);
+    plausible.push_back(expected.state.lod);
+  }
+  EXPECT_NE(std::find(plausible.begin(), plausible.end(), actual.state.lod), plausible.end())
+      << "level " << actual.state.lod << " for " << plausible[1];
+}
+
+/// Objects that an analysis finds pending, with sizes on the screen at which their levels change.
+struct PendingObjects {
+  explicit PendingObjects(const SceneData& scene, ScreenSize size)
+      : states(scene.objects.size(), {gpu::kVerdictPending, 3, 20, -1.0F}),
+        boxes(adversarialBoxes(size, scene.objects.size(), 17)) {
+    Random random(5);
+    for (gpu::ScreenBox& box : boxes) {
+      box.pixelsPerUnit = random.uniform(0.1F, 6.0F) / scene.lods[scene.chains[0].firstLod + 1].errorObject;
+      box.cover = gpu::kCoverOpen;
+    }
+  }
+  std::vector<gpu::ObjectState> states;
+  std::vector<gpu::ScreenBox> boxes;
+};
+
+TEST_F(AnalyseGl, MaskedErrorsEqualTheTwin) {
+  constexpr std::size_t kCount = 1500;
+  constexpr ScreenSize kSize{640, 360};
+  const SceneData scene = sceneOfCount(kCount);
+  const render::SceneBuffers buffers(scene);
+  ObjectStore objects(buffers.objectCount());
+  VisibilityPass pass(objects);
+  const PendingObjects given(scene, kSize);
+  for (const CullMode mode : {CullMode::kHom, CullMode::kHomDepth, CullMode::kHiz}) {
+    const bool usesMap = rowOf(mode).usesMap;
+    const GivenMap map(kSize, structuredPixels(kSize, 3));
+    const GivenDepth depth(kSize, structuredDepth(kSize, 3), usesMap ? DepthSource::kCovered : DepthSource::kAll, true);
+    const Cover cover{usesMap ? &map.reference : nullptr, rowOf(mode).usesDepth ? &depth.reference : nullptr};
+    for (const LodRule rule : {LodRule::kPixelError, LodRule::kLvError, LodRule::kPrice}) {
+      const FramePolicy policy{.cullMode = mode, .lodRule = rule, .lvMeasure = LvMeasure::kCoverage, .masking = true};
+      gpu::CullView view = makeView(scene, {}, kSize, 0.0F, policy);
+      view.occluderTau = 0.0F;
+      view.analyse = wantsBlock(policy) ? 1 : 0;
+      pass.setView(view);
+      objects.boxes.write(0, std::as_bytes(std::span(given.boxes)));
+      objects.states.write(0, std::as_bytes(std::span(given.states)));
+      objects.marks.clear();
+      pass.analyse(buffers.bindings(), view.traits, {&map.pass.texture(), &depth.pass.texture(), &depth.texture});
+      const auto gpuStates = objects.states.read<gpu::ObjectState>(kCount);
+      const auto gpuBoxes = objects.boxes.read<gpu::ScreenBox>(kCount);
+      std::size_t masked = 0;
+      for (std::size_t i = 0; i < kCount; ++i) {
+        SCOPED_TRACE(testing::Message() << rowOf(mode).name << " " << rowOf(rule).name << " box " << i);
+        expectSameMaskedLevel(scene, view, cover, {given.states[i], given.boxes[i], 0}, {gpuStates[i], gpuBoxes[i], 0});
+        const bool partial = gpuStates[i].verdict == gpu::kVerdictPartial;
+        masked += partial && maskingFactor(gpuBoxes[i].cover) > 1.2F ? 1 : 0;
+      }
+      EXPECT_GT(masked, 100U) << rowOf(mode).name;
+    }
+  }
+}
 
 TEST_F(AnalyseGl, MapEqualsTheTwin) {
   std::size_t verdicts[gpu::kVerdictCount] = {};

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/packing.hpp>
 #include <limits>
 #include <set>
 #include <vector>
@@ -106,6 +107,11 @@ void expectPlausibleBox(const gpu::ScreenBox& actual, const gpu::ScreenBox& expe
   EXPECT_NEAR(actual.tau, expected.tau, kFewUlps * expected.tau);
 }
 
+/// Shares from open to covered, and chords of less than a pixel up to no masking.
+gpu::uint coverOf(Random& random) {
+  return glm::packHalf2x16({0.25F * static_cast<float>(random.below(5)), random.uniform(0.5F, 80.0F)});
+}
+
 /// Random history: what was visible and drawn in the last frame, calm or not, counted or not, in a cross-fade or not.
 std::vector<LastFrame> randomHistory(const SceneData& scene, const gpu::CullView& view) {
   std::vector<LastFrame> last(scene.objects.size());
@@ -123,6 +129,7 @@ std::vector<LastFrame> randomHistory(const SceneData& scene, const gpu::CullView
     const gpu::uint frames = random.below(3) == 0 ? random.below(gpu::kDefaultFadeFrames + 1) : 0;
     const bool fromCoarser = last[i].state.lod == 0 || random.below(2) == 0;
     if (frames > 0) last[i].marks |= frames << gpu::kMarkFadeShift | (fromCoarser ? gpu::kMarkFromCoarser : 0);
+    last[i].cover = random.below(4) == 0 ? random.below(0xffffffffU) : coverOf(random);
     last[i].pixels = random.below(3) == 0 ? 0 : random.below(1U << random.below(16));
   }
   return last;
@@ -137,13 +144,16 @@ std::vector<ObjectDecision> runKernel(const SceneData& scene, const gpu::CullVie
   std::vector<gpu::ObjectState> lastStates;
   std::vector<gpu::uint> lastMarks;
   std::vector<gpu::uint> lastPixels;
+  std::vector<gpu::ScreenBox> lastBoxes;
   for (const LastFrame& frame : last) {
     lastStates.push_back(frame.state);
     lastMarks.push_back(frame.marks);
     lastPixels.push_back(frame.pixels);
+    lastBoxes.emplace_back().cover = frame.cover;
   }
   objects.states.write(0, std::as_bytes(std::span(lastStates)));
   objects.marks.write(0, std::as_bytes(std::span(lastMarks)));
+  objects.boxes.write(0, std::as_bytes(std::span(lastBoxes)));
   objects.pixelCounts.write(0, std::as_bytes(std::span(lastPixels)));
   objects.countsValid = view.countsValid != 0;
   pass.setView(view);
@@ -200,6 +210,7 @@ void compareObject(const Case& c, const ObjectDecision& actual) {
   EXPECT_TRUE(hasPlausibleLevel(c, actual, areaError + pixelError + scaleError(bracket, c.view)))
       << "lod " << actual.state.lod << " for " << expected.state.lod << ", tessellation " << actual.state.tessellation
       << " for " << expected.state.tessellation << ", marks " << actual.marks << " for " << expected.marks;
+  EXPECT_EQ(actual.box.cover, expected.box.cover);
   if (hasRect) expectPlausibleBox(actual.box, expected.box, bracket, c.view);
 }
 
@@ -319,6 +330,26 @@ TEST_F(ClassifyGl, EveryMeasureCalmAndNot) {
             compareClassification(scene, view);
           }
         }
+      }
+    }
+  }
+}
+
+TEST_F(ClassifyGl, MaskedErrorsInEveryModeCalmAndNot) {
+  const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 12), {.patches = true});
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  for (const CullModeRow& mode : cullModeTable()) {
+    for (const LodRule rule : {LodRule::kPixelError, LodRule::kLvError, LodRule::kPrice}) {
+      for (const LvMeasure measure : {LvMeasure::kCoverage, LvMeasure::kChord, LvMeasure::kPixels}) {
+        gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F,
+                                      {.cullMode = mode.id, .lodRule = rule, .lvMeasure = measure, .masking = true});
+        view.relax = 64.0F;
+        view.tau = 0.3F;
+        compareClassification(scene, view);
+        view.calm = 1;
+        view.hysteresis = 1.3F;
+        view.fadeFrames = 3;
+        compareClassification(scene, view);
       }
     }
   }

@@ -10,6 +10,7 @@
 #include "render/frame_renderer.h"
 #include "visibility/hiddenness.h"
 #include "visibility/lod_policy.h"
+#include "visibility/masking.h"
 #include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::app {
@@ -89,9 +90,13 @@ std::string calmReason(const gpu::CullView& view) {
   return view.calm == 0 ? "" : " With --calm, the level changes by one step at a time and only beyond a margin.";
 }
 
+std::string maskingReason(const Inspection& i) {
+  return i.masking > 1.0F ? fmt::format("Errors count {:.3g} times less behind small holes. ", i.masking) : "";
+}
+
 /// The level as the budget decides it.
 std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
-  std::string text = fmt::format("Budget {:.3g} px: level {}.", i.tau, i.finest);
+  std::string text = maskingReason(i) + fmt::format("Budget {:.3g} px: level {}.", i.tau, i.finest);
   if (i.relaxed > 1.0F)
     text += fmt::format(" Visible share {:.3g} %: budget {:.3g} px: level {}.",
                         100.0F * visibility::visibleShare(i.readout.state.lv), i.tau * i.relaxed, i.coarsest);
@@ -107,7 +112,8 @@ std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
 
 /// The level as its price decides it, --lod price.
 std::string priceReason(const Inspection& i, const gpu::CullView& view) {
-  std::string text = fmt::format(
+  std::string text = maskingReason(i);
+  text += fmt::format(
       "Visible share {:.3g} %. Level {} has the lowest sum of visible pixels times mean error and of triangles times "
       "their price.",
       100.0F * visibility::visibleShare(i.readout.state.lv), i.chosen);
@@ -152,12 +158,14 @@ void inspectLevels(Inspection& i, const scene::SceneData& scene, const gpu::Cull
   const float pixelsPerUnit = i.readout.box.pixelsPerUnit;
   for (const gpu::Lod& lod : lods)
     i.levels.push_back({lod.triangleCount, lod.errorObject, lod.errorObject * pixelsPerUnit});
-  i.tau = i.readout.box.tau;
-  i.importance = i.tau > 0.0F ? view.tau / i.tau : 1.0F;
+  const float unmasked = i.readout.box.tau;
+  i.importance = unmasked > 0.0F ? view.tau / unmasked : 1.0F;
+  i.masking = visibility::maskingInUse(i.readout.box.cover, view.traits);
+  i.tau = unmasked * i.masking;
   if (has(view.traits, gpu::kTraitFollowsError) && has(view.traits, gpu::kTraitFollowsLv) &&
       !has(view.traits, gpu::kTraitPrice)) {
     i.relaxed = visibility::relaxedBudget(i.readout.state.lv, view.relax);
-    if (view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed);
+    if (view.calm != 0) i.relaxed = std::min(i.relaxed, gpu::kMostCalmRelaxed / i.masking);
   }
   i.finest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau);
   i.coarsest = visibility::pixelErrorLod(lods, pixelsPerUnit, i.tau * i.relaxed);

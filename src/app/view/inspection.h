@@ -41,7 +41,8 @@ struct Inspection {
   float importance = 1.0F;              ///< value of the importance mask at the object
   std::optional<InspectedBlock> block;  ///< absent without an AABR, or without map and pyramid
   std::optional<float> countedLv;       ///< LV from the number of its visible pixels; absent if not counted
-  float tau = 0.0F;                     ///< budget of the screen-space error, pixels
+  float masking = 1.0F;                 ///< factor by which errors count less behind small holes
+  float tau = 0.0F;                     ///< budget of the screen-space error, pixels; masking is in it
   float relaxed = 1.0F;                 ///< factor of tau that follows from LV
   std::vector<InspectedLevel> levels;
   std::uint32_t chosen = 0;    ///< level at which it is drawn, or would be
