@@ -68,4 +68,16 @@ void printFit(const nlohmann::ordered_json& figures);
 /// table and adds its rows. @param calmOnly  only temporally stable configurations
 void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figures);
 
+/// Tolerable error behind small holes over that behind one window, at the same visible share, by image metrics, for
+/// occluders of three greys. Prints a table and adds its rows.
+/// Errors: kUsage for a scene of several objects, or too few levels in the view
+void measureMasking(const LvView& view, nlohmann::ordered_json& figures);
+/// Prints the range of the rows of measureMasking over all views and occluders, and the exponent p of the best fit
+/// (64 / hole)^p.
+void printMasking(const nlohmann::ordered_json& figures);
+
+/// Triangles and times of frames with --masking over those without, in alternating frames. Prints a table and adds its
+/// rows.
+void measureMaskingCost(const LvView& view, nlohmann::ordered_json& figures);
+
 }  // namespace jalousie::bench

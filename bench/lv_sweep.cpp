@@ -7,9 +7,22 @@
 #include <cmath>
 
 #include "compare/image_error.h"
+#include "core/median.h"
 #include "gl_bench.h"
 
 namespace jalousie::bench {
+namespace {
+
+constexpr int kRounds = 7;
+
+double frameMs(render::FrameRenderer& renderer, std::string_view pass) {
+  double sum = 0.0;
+  for (const PassTime& time : renderer.passTimes())
+    sum += pass.empty() || time.name == pass ? time.ms : 0.0;
+  return sum;
+}
+
+}  // namespace
 
 Sample Stage::sample(const render::FrameOptions& options) {
   const ImageRgba8 image = settledImage(renderer, options, camera);
@@ -27,6 +40,29 @@ std::vector<Sample> Stage::sweep(render::FrameOptions options, std::span<const f
   }
   require(samples.back().psnr >= samples.front().psnr, fmt::format("{}: the error grows where tau falls", name));
   return samples;
+}
+
+std::vector<double> Stage::interleavedTimes(const std::vector<render::FrameOptions>& all, std::string_view pass) {
+  std::vector<std::vector<double>> times(all.size());
+  renderer.setTiming(Timing::kWall);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      renderer.render(all[i], camera, camera);
+      renderer.render(all[i], camera, camera);
+      double sum = 0.0;
+      for (std::uint32_t k = 0; k < render::kCountInterval; ++k) {
+        renderer.render(all[i], camera, camera);
+        sum += frameMs(renderer, pass);
+      }
+      times[i].push_back(sum);
+    }
+  }
+  renderer.setTiming(Timing::kOff);
+  std::vector<double> medians;
+  medians.reserve(times.size());
+  for (std::vector<double>& samples : times)
+    medians.push_back(median(std::move(samples)));
+  return medians;
 }
 
 double trianglesAt(const std::vector<Sample>& samples, double Sample::*error, double value) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/image.h"
@@ -30,6 +31,9 @@ struct Stage {
   /// Samples over taus, finest last; the finest ones are left out where they cost too much.
   /// @param options  tau is replaced   @param name  of the configuration, for the message of a wrong result
   std::vector<Sample> sweep(render::FrameOptions options, std::span<const float> taus, const char* name);
+  /// Median times of kCountInterval frames, one of which counts pixels, in ms. The configurations run in turn, each
+  /// after two frames in which it settles. @param pass  the only pass that counts; empty: all
+  std::vector<double> interleavedTimes(const std::vector<render::FrameOptions>& all, std::string_view pass = {});
 };
 
 /// Triangles at which a sweep reaches a value of Sample::psnr or Sample::ssim: the logarithm of the triangles is

@@ -8,48 +8,12 @@
 #include <vector>
 
 #include "compare/image_error.h"
-#include "core/median.h"
 #include "gl_bench.h"
 #include "lv_setup.h"
 #include "lv_sweep.h"
 
 namespace jalousie::bench {
 namespace {
-
-constexpr int kRounds = 7;
-
-double frameMs(render::FrameRenderer& renderer) {
-  double sum = 0.0;
-  for (const PassTime& pass : renderer.passTimes())
-    sum += pass.ms;
-  return sum;
-}
-
-/// Median times of kCountInterval frames, one of which counts pixels. The configurations run in turn, each after two
-/// frames in which it settles.
-std::vector<double> interleavedTimes(Stage& stage, const std::vector<render::FrameOptions>& all) {
-  std::vector<std::vector<double>> times(all.size());
-  render::FrameRenderer& renderer = stage.renderer;
-  renderer.setTiming(Timing::kWall);
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      renderer.render(all[i], stage.camera, stage.camera);
-      renderer.render(all[i], stage.camera, stage.camera);
-      double sum = 0.0;
-      for (std::uint32_t k = 0; k < render::kCountInterval; ++k) {
-        renderer.render(all[i], stage.camera, stage.camera);
-        sum += frameMs(renderer);
-      }
-      times[i].push_back(sum);
-    }
-  }
-  renderer.setTiming(Timing::kOff);
-  std::vector<double> medians;
-  medians.reserve(times.size());
-  for (std::vector<double>& samples : times)
-    medians.push_back(median(std::move(samples)));
-  return medians;
-}
 
 /// One line of the table. Ratios that were not measured are NaN.
 struct Row {
@@ -126,7 +90,7 @@ void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& 
     std::vector<render::FrameOptions> timed = {optionsOf(kUniform, 1.0F), optionsOf(kFrustum, 1.0F),
                                                optionsOf(kDefault, 1.0F), optionsOf(kDefault, kTaus[nearest])};
     if (thesis.triangles <= kMostTriangles) timed.push_back(optionsOf(kThesis, 1.0F));
-    const std::vector<double> measured = interleavedTimes(stage, timed);
+    const std::vector<double> measured = stage.interleavedTimes(timed);
     std::copy(measured.begin(), measured.end(), times.begin());
   }
   const auto atOnePixel = [](const LvConfiguration& configuration) {
