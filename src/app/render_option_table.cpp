@@ -147,7 +147,8 @@ std::vector<RenderOption> cullingRows() {
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
-       "same. auto = the cells of the file, else cells of 256 triangles for large objects with few instances",
+       "same. auto = the cells of the file, else cells of 256 triangles for large objects; joined to larger ones where "
+       "a scene had more than 65,536",
        OptionGroup::kCulling, ChoiceValue{cellsText, setCells, {"auto", "off", "64", "128", "256", "512", "1024"}},
        "--detail discrete", [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},
       {"--importance", "importance mask", "",

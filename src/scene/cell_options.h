@@ -8,7 +8,7 @@ namespace jalousie::scene {
 
 /// Triangles per cell that kAutomatic divides by.
 inline constexpr std::uint32_t kDefaultCellTriangles = 256;
-/// kAutomatic divides chains only as long as the scene has at most this many cells.
+/// kAutomatic makes cells larger where a scene had more than this many.
 inline constexpr std::uint64_t kMostAutomaticCells = 65536;
 /// Most cells of any scene.
 inline constexpr std::uint64_t kMostCells = 1ULL << 22U;
@@ -17,7 +17,7 @@ inline constexpr std::uint64_t kMostCells = 1ULL << 22U;
 struct CellOptions {
   enum class Kind : std::uint32_t {
     kOff,        ///< objects are culled and drawn whole
-    kAutomatic,  ///< the cells of the file; else those of chains that are large and have few instances
+    kAutomatic,  ///< the cells of the file; else those of large chains. Joined where a scene had too many
     kCount,      ///< all chains anew, at most trianglesPerCell in a cell
   };
   Kind kind = Kind::kOff;

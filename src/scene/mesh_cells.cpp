@@ -1,10 +1,9 @@
-// Chains in the order of what they can gain: the largest first, as long as there is room for their cells.
+// Chains share the room for cells: where it is short, those with the most get fewer and larger cells.
 #include "scene/mesh_cells.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "asset/cell_tree.h"
 #include "core/error.h"
@@ -66,13 +65,30 @@ MeshCells divide(const Mesh& mesh, const asset::CellTree& tree) {
   return result;
 }
 
-MeshCells stored(const Mesh& mesh) {
+/// The cells of the file, `join` neighbours in their order joined to one.
+MeshCells stored(const Mesh& mesh, std::uint32_t join) {
   MeshCells result;
-  result.count = storedCells(mesh);
+  result.count = (storedCells(mesh) + join - 1) / join;
   result.indices.resize(mesh.primitives.size());
-  for (const Primitive& primitive : mesh.primitives)
-    result.ends.push_back(primitive.cellEnds);
+  for (const Primitive& primitive : mesh.primitives) {
+    std::vector<std::uint32_t> ends;
+    for (std::uint32_t cell = 1; cell <= result.count; ++cell)
+      ends.push_back(primitive.cellEnds[std::min<std::size_t>(std::size_t{cell} * join, primitive.cellEnds.size()) - 1]);
+    result.ends.push_back(std::move(ends));
+  }
   return result;
+}
+
+/// What each may have of `room` so that none gets more than it wants, and no one's wish is cut before a larger one's.
+/// @return  the most that one gets
+std::uint64_t fairShare(std::vector<std::uint64_t> wishes, std::uint64_t room) {
+  std::sort(wishes.begin(), wishes.end());
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const std::uint64_t share = room / (wishes.size() - i);
+    if (wishes[i] > share) return share;
+    room -= wishes[i];
+  }
+  return wishes.empty() ? room : wishes.back();
 }
 
 /// Chooses and divides for one file.
@@ -93,35 +109,79 @@ class Division {
   }
 
   std::vector<MeshCells> run() {
-    std::vector<std::size_t> order(file_.chains.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return finestTriangles(a) > finestTriangles(b); });
-    for (const std::size_t chain : order)
-      if (instances_[chain] > 0) divideChain(chain);
+    std::vector<Candidate> candidates;
+    for (std::size_t chain = 0; chain < file_.chains.size(); ++chain) {
+      const Candidate candidate = candidateOf(chain);
+      if (instances_[chain] > 0 && candidate.cells > 1) candidates.push_back(candidate);
+    }
+    shareRoom(candidates);
+    for (const Candidate& candidate : candidates)
+      divideChain(candidate);
     return std::move(cells_);
   }
 
  private:
-  const Mesh& finest(std::size_t chain) const { return file_.meshes[file_.chains[chain].levels.front().mesh]; }
-  std::uint64_t finestTriangles(std::size_t chain) const { return trianglesOf(finest(chain)); }
+  /// A chain that can be divided.
+  struct Candidate {
+    std::size_t chain;
+    std::uint64_t cells;    ///< of one instance
+    bool fromFile;          ///< the cells are those of the file, else the chain is cut
+    std::uint64_t allowed;  ///< of one instance, at most
+  };
 
-  void divideChain(std::size_t chain) {
-    const std::uint32_t fromFile = options_.kind == CellOptions::Kind::kAutomatic ? storedCells(finest(chain)) : 0;
-    if (fromFile > 1) {
-      if (!takeRoom(fromFile * instances_[chain])) return;
-      for (const asset::LodLevel& level : file_.chains[chain].levels)
-        cells_[level.mesh] = stored(file_.meshes[level.mesh]);
+  bool automatic() const { return options_.kind == CellOptions::Kind::kAutomatic; }
+  const Mesh& finest(std::size_t chain) const { return file_.meshes[file_.chains[chain].levels.front().mesh]; }
+
+  Candidate candidateOf(std::size_t chain) const {
+    const std::uint32_t fromFile = automatic() ? storedCells(finest(chain)) : 0;
+    if (fromFile > 0) return {chain, fromFile, true, fromFile};
+    const std::uint64_t triangles = trianglesOf(finest(chain));
+    const std::uint64_t least = automatic() ? 2 : 1;
+    if (triangles <= least * options_.trianglesPerCell || sharesMeshes(chain)) return {chain, 1, false, 1};
+    const std::uint64_t cells = (triangles + options_.trianglesPerCell - 1) / options_.trianglesPerCell;
+    return {chain, cells, false, cells};
+  }
+
+  /// Sets what each chain may have; those that may not have two cells for each instance are left out, and the others
+  /// share their room. Errors: kLimit unless automatic.
+  void shareRoom(std::vector<Candidate>& candidates) const {
+    std::size_t before = 0;
+    do {
+      before = candidates.size();
+      std::vector<std::uint64_t> wishes;
+      for (const Candidate& candidate : candidates)
+        wishes.push_back(candidate.cells * instances_[candidate.chain]);
+      const std::uint64_t share = fairShare(wishes, automatic() ? kMostAutomaticCells : kMostCells);
+      for (Candidate& candidate : candidates)
+        candidate.allowed = std::min(candidate.cells, share / instances_[candidate.chain]);
+      if (!automatic()) return requireAll(candidates);
+      std::erase_if(candidates, [&](const Candidate& candidate) {
+        const bool joins = candidate.allowed < candidate.cells;
+        return candidate.allowed < 2 || (joins && sharesMeshes(candidate.chain));
+      });
+    } while (candidates.size() < before);
+  }
+
+  void requireAll(std::span<const Candidate> candidates) const {
+    for (const Candidate& candidate : candidates)
+      if (candidate.allowed < candidate.cells)
+        throw Error(ErrorCode::kLimit, fmt::format("cells of {} triangles would be more than {} in the whole scene; "
+                                                   "give --cells a larger number, or auto",
+                                                   options_.trianglesPerCell, kMostCells));
+  }
+
+  void divideChain(const Candidate& candidate) {
+    const std::uint64_t join = (candidate.cells + candidate.allowed - 1) / candidate.allowed;
+    const std::vector<asset::LodLevel>& levels = file_.chains[candidate.chain].levels;
+    if (candidate.fromFile) {
+      for (const asset::LodLevel& level : levels)
+        cells_[level.mesh] = stored(file_.meshes[level.mesh], static_cast<std::uint32_t>(join));
       return;
     }
-    const std::uint64_t triangles = finestTriangles(chain);
-    const std::uint64_t least = options_.kind == CellOptions::Kind::kAutomatic ? 2 : 1;
-    if (fromFile == 1 || triangles <= least * options_.trianglesPerCell || sharesMeshes(chain)) return;
-    const std::uint64_t expected = (triangles + options_.trianglesPerCell - 1) / options_.trianglesPerCell;
-    if (!takeRoom(expected * instances_[chain])) return;
-    const asset::CellTree tree(centroidsOf(finest(chain)), options_.trianglesPerCell);
+    const std::uint64_t perCell = options_.trianglesPerCell * join;
+    const asset::CellTree tree(centroidsOf(finest(candidate.chain)), static_cast<std::uint32_t>(perCell));
     if (tree.cellCount() == 1) return;
-    for (const asset::LodLevel& level : file_.chains[chain].levels)
+    for (const asset::LodLevel& level : levels)
       cells_[level.mesh] = divide(file_.meshes[level.mesh], tree);
   }
 
@@ -131,25 +191,11 @@ class Division {
                        [&](const asset::LodLevel& level) { return usedBy_[level.mesh] > 1; });
   }
 
-  /// Whether the scene may have so many cells more. Errors: kLimit.
-  bool takeRoom(std::uint64_t cells) {
-    const bool automatic = options_.kind == CellOptions::Kind::kAutomatic;
-    if (total_ + cells <= (automatic ? kMostAutomaticCells : kMostCells)) {
-      total_ += cells;
-      return true;
-    }
-    if (automatic) return false;
-    throw Error(ErrorCode::kLimit, fmt::format("cells of {} triangles would be more than {} in the whole scene; give "
-                                               "--cells a larger number, or auto",
-                                               options_.trianglesPerCell, kMostCells));
-  }
-
   const asset::SceneFile& file_;
   const CellOptions& options_;
   std::vector<MeshCells> cells_;
   std::vector<std::uint64_t> instances_;  ///< per chain
   std::vector<std::uint32_t> usedBy_;     ///< per mesh: number of chains
-  std::uint64_t total_ = 0;
 };
 
 }  // namespace

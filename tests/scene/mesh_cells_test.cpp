@@ -123,18 +123,72 @@ TEST(MeshCells, MirrorsTheFileWhereItSaysHow) {
   EXPECT_TRUE(buildScene(file).cells.objects.empty());
 }
 
-TEST(MeshCells, AutomaticLeavesSmallAndManyInstancesWhole) {
+TEST(MeshCells, AutomaticJoinsTheCellsOfManyInstancesAndLeavesSmallMeshesWhole) {
   asset::SceneFile file = test::sphereChain(1);
   file.meshes[0].primitives[0] = test::sphere(64, 33);  // 4096 triangles: 16 cells
   test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
-  EXPECT_EQ(buildScene(file, {.cells = {Kind::kAutomatic}}).cells.chains.size(), 16U);
-  file.instances.resize(kMostAutomaticCells / 16, file.instances[0]);
-  EXPECT_EQ(buildScene(file, {.cells = {Kind::kAutomatic}}).cells.chains.size(), 16U);
-  file.instances.push_back(file.instances[0]);
-  EXPECT_TRUE(buildScene(file, {.cells = {Kind::kAutomatic}}).cells.objects.empty());
+  const auto cellsWith = [&](std::uint64_t instances) {
+    file.instances.resize(instances, file.instances[0]);
+    return buildScene(file, {.cells = {Kind::kAutomatic}}).cells.chains.size();
+  };
+  EXPECT_EQ(cellsWith(1), 16U);
+  EXPECT_EQ(cellsWith(kMostAutomaticCells / 16), 16U);
+  EXPECT_EQ(cellsWith(kMostAutomaticCells / 16 + 1), 8U);
+  EXPECT_EQ(cellsWith(kMostAutomaticCells / 2), 2U);
+  EXPECT_EQ(cellsWith(kMostAutomaticCells / 2 + 1), 0U);
   file.instances.resize(1);
   file.meshes[0].primitives[0] = test::sphere(16, 17);  // 512 triangles: two cells would gain little
   EXPECT_TRUE(buildScene(file, {.cells = {Kind::kAutomatic}}).cells.objects.empty());
+}
+
+TEST(MeshCells, AutomaticJoinsNeighboursOfTheFileInEveryLevel) {
+  asset::SceneFile file = test::sphereChain(2);
+  for (asset::Mesh& mesh : file.meshes) {
+    const auto triangles = static_cast<std::uint32_t>(mesh.primitives[0].indices.size() / 3);
+    for (const std::uint32_t end : {5U, 5U, 9U, 20U, triangles})
+      mesh.primitives[0].cellEnds.push_back(3 * end);
+  }
+  test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
+  file.instances.resize(kMostAutomaticCells / 4, file.instances[0]);
+  const std::vector<MeshCells> cells = divideMeshes(file, {Kind::kAutomatic});
+  for (std::size_t m = 0; m < 2; ++m) {
+    const auto end = static_cast<std::uint32_t>(file.meshes[m].primitives[0].indices.size());
+    EXPECT_EQ(cells[m].count, 3U);
+    EXPECT_EQ(cells[m].ends.at(0), (std::vector<std::uint32_t>{15, 60, end}));
+    EXPECT_TRUE(cells[m].indices.at(0).empty());
+  }
+}
+
+TEST(MeshCells, ACrowdLeavesRoomForTheCellsOfOneLargeMesh) {
+  asset::SceneFile file = test::sphereChain(1);
+  file.meshes[0].primitives[0] = test::sphere(64, 33);
+  file.meshes.push_back({"ground", {test::sphere(200, 101, 0)}});  // 40,000 triangles
+  file.chains.push_back({"ground", {{1, 0.0F}}});
+  test::addInstance(file, 1, glm::vec3(0.0F), glm::vec3(9.0F));
+  const std::uint32_t alone = divideMeshes(file, {Kind::kAutomatic})[1].count;
+  EXPECT_GT(alone, 150U);
+  for (std::uint64_t i = 0; i < kMostAutomaticCells / 8; ++i)
+    test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
+  const std::vector<MeshCells> cells = divideMeshes(file, {Kind::kAutomatic});
+  EXPECT_EQ(cells[1].count, alone);
+  EXPECT_GE(cells[0].count, 4U);
+  EXPECT_LE(cells[0].count, 7U) << "7 for each instance have room";
+  file.instances.resize(1 + kMostAutomaticCells, file.instances.back());
+  EXPECT_EQ(divideMeshes(file, {Kind::kAutomatic})[0].count, 1U);
+  EXPECT_EQ(divideMeshes(file, {Kind::kAutomatic})[1].count, alone);
+}
+
+TEST(MeshCells, AMeshOfTwoChainsKeepsItsCellsOrHasNone) {
+  asset::SceneFile file = test::sphereChain(2);
+  for (asset::Mesh& mesh : file.meshes)
+    for (const std::uint32_t end : {1U, 2U, 3U, static_cast<std::uint32_t>(mesh.primitives[0].indices.size() / 3)})
+      mesh.primitives[0].cellEnds.push_back(3 * end);
+  file.chains.push_back({"other", {file.chains[0].levels[0]}});
+  test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
+  test::addInstance(file, 1, glm::vec3(0.0F), glm::vec3(1.0F));
+  EXPECT_EQ(divideMeshes(file, {Kind::kAutomatic})[1].count, 4U);
+  file.instances.resize(kMostAutomaticCells / 4 + 1, file.instances[0]);
+  EXPECT_EQ(divideMeshes(file, {Kind::kAutomatic})[1].count, 1U);
 }
 
 TEST(MeshCells, MoreCellsThanTheLimitAreRefused) {
