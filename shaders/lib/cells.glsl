@@ -14,10 +14,6 @@ layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]
 layout(std430, binding = kBindingCellStates) writeonly buffer CellStateBlock { ObjectState cellStates[]; };
 layout(std430, binding = kBindingCellMarks) buffer CellMarkBlock { uint cellMarks[]; };
 
-/// Flags that a cell takes from its object.
-const uint kMarkOfObject = kMarkMirrored | kMarkFadeMask | kMarkMapLodMask;
-const uint kMarkPhases = kMarkEarly | kMarkLate | kMarkVisible;
-
 /// Bounds of what a cell draws: at its object's level and, in a cross-fade, at the level that fades out.
 CellBounds drawnBounds(Object cell, uint lod, uint mark) {
   uint first = chains[cell.chain].firstLod;

@@ -181,7 +181,7 @@ Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
   if (calm) {
     budget.relaxed = min(budget.relaxed, kMostCalmRelaxed / budget.masking);
     budget.share = max(budget.share, kLeastCalmShare);
-    budget.pixels = max(budget.pixels, kLeastCalmPixels);
+    budget.pixels = max(budget.pixels, kLeastCalmVisible * kSilhouetteShare * object.area);
   } else if (counted && !object.seen) {
     budget.maxError = uintBitsToFloat(0x7f800000u);  // no pixel shows it
   }

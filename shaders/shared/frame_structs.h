@@ -139,6 +139,8 @@ const uint kMarkMapLodShift = 16u;   // first bit of the level that is drawn int
 const uint kMarkMapLodMask = 0x1f0000u;
 const uint kMarkPlaced = 0x200000u;        // scenes with cells: one of the object's cells is on a draw list
 const uint kMarkPlacedFading = 0x400000u;  // and one of the level that fades out
+const uint kMarkPhases = 0x7u;             // kMarkVisible, kMarkEarly, kMarkLate
+const uint kMarkOfObject = 0x1ff088u;      // what a cell takes from its object: kMarkMirrored, fade, level of the map
 
 // An entry of an instance list: an object, and whether its level fades in or out.
 const uint kInstanceFadingIn = 0x40000000u;

@@ -47,9 +47,9 @@ const float kPixelGuard = 4.0;
 const float kErrorCap = 2.0;
 /// Price of a triangle at a tau of one pixel: pixels of area times pixels of error.
 const float kTrianglePrice = 1.0 / 32.0;
-/// A calm level is chosen for at least so many visible pixels: an object that shows none then need not change its level
-/// when its first pixels appear.
-const float kLeastCalmPixels = 16.0;
+/// A calm level is chosen for at least this share of the pixels of an object in full sight. Its error then is at most
+/// kMostCalmRelaxed times as large, so that an occluded object need not change its level when it becomes visible.
+const float kLeastCalmVisible = 1.0 / 16.0;  // kMostCalmRelaxed^-2
 /// An object whose silhouette is a smaller share of its rectangle is thin: the pixels of the rectangle do not say how
 /// much of it is occluded.
 const float kThinShare = 1.0 / 16.0;

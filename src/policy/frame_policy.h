@@ -12,7 +12,7 @@ namespace jalousie {
 /// One choice from each table. The defaults are the program's.
 struct FramePolicy {
   CullMode cullMode = CullMode::kHiz;
-  LodRule lodRule = LodRule::kLvError;
+  LodRule lodRule = LodRule::kPrice;
   LvMeasure lvMeasure = LvMeasure::kPixels;
   Detail detail = Detail::kDiscrete;
   View view = View::kShaded;

@@ -9,8 +9,8 @@
 namespace jalousie::visibility {
 namespace {
 
-constexpr gpu::uint kMarkOfObject = gpu::kMarkMirrored | gpu::kMarkFadeMask | gpu::kMarkMapLodMask;
-constexpr gpu::uint kMarkPhases = gpu::kMarkEarly | gpu::kMarkLate | gpu::kMarkVisible;
+static_assert(gpu::kMarkOfObject == (gpu::kMarkMirrored | gpu::kMarkFadeMask | gpu::kMarkMapLodMask));
+static_assert(gpu::kMarkPhases == (gpu::kMarkEarly | gpu::kMarkLate | gpu::kMarkVisible));
 
 /// Bounds of what a cell draws: at its object's level and, in a cross-fade, at the level that fades out.
 Aabb drawnBounds(const CellInput& input) {
@@ -38,7 +38,7 @@ bool isInView(gpu::uint verdict) {
 
 gpu::uint phasesOfCell(const gpu::CullView& view, const BoxOnScreen& box, gpu::uint objectMarks, gpu::uint lastMarks) {
   if (!has(view.traits, gpu::kTraitTwoPhases) || view.cullCells == 0)
-    return objectMarks & (kMarkPhases | gpu::kMarkTested);
+    return objectMarks & (gpu::kMarkPhases | gpu::kMarkTested);
   const bool expected = box.crossesNear || isExpectedVisible(lastMarks, box.rect, view);
   const bool early = (objectMarks & gpu::kMarkEarly) != 0 && expected;
   return early ? gpu::kMarkEarly | gpu::kMarkVisible | gpu::kMarkTested : gpu::kMarkTested;
@@ -60,7 +60,7 @@ bool isOccluded(const gpu::CullView& view, const BoxOnScreen& box, const Cover& 
 CellDecision classifyCell(const CellInput& input, gpu::uint lastMarks) {
   const gpu::CullView& view = input.view;
   const ObjectDecision& object = input.object;
-  CellDecision result{object.state, object.marks & kMarkOfObject};
+  CellDecision result{object.state, object.marks & gpu::kMarkOfObject};
   if (!isInView(object.state.verdict)) return result;
   const Aabb drawn = drawnBounds(input);
   const bool tested = has(view.traits, gpu::kTraitCulls) && view.cullCells != 0;
@@ -80,7 +80,7 @@ void analyseCell(const CellInput& input, const Cover& cover, float guardPixels, 
   const bool drawnIntoMap = object.state.verdict == gpu::kVerdictOccluder || object.state.verdict == gpu::kVerdictNear;
   if (!has(view.traits, gpu::kTraitTwoPhases) && drawnIntoMap) return;
   const gpu::uint early = decided.marks & gpu::kMarkEarly;
-  decided = {object.state, (object.marks & kMarkOfObject) | early};
+  decided = {object.state, (object.marks & gpu::kMarkOfObject) | early};
   const Aabb drawn = drawnBounds(input);
   if (drawn.empty()) return;
   const BoxOnScreen box = cellOnScreen(input, drawn);

@@ -190,7 +190,7 @@ Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, 
   if (calm) {
     budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed / budget.masking);
     budget.share = std::max(budget.share, gpu::kLeastCalmShare);
-    budget.pixels = std::max(budget.pixels, gpu::kLeastCalmPixels);
+    budget.pixels = std::max(budget.pixels, gpu::kLeastCalmVisible * gpu::kSilhouetteShare * object.area);
   } else if (counted && !object.seen) {
     budget.maxError = std::numeric_limits<float>::infinity();  // no pixel shows it
   }

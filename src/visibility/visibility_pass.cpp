@@ -6,7 +6,6 @@
 #include "shared/limits.h"
 #include "visibility/dispatch.h"
 #include "visibility/level_of_visibility.h"
-#include "visibility/program_table.h"
 
 namespace jalousie::visibility {
 namespace {
@@ -26,17 +25,19 @@ gl::Texture makeImportance(const ImportanceMask& mask) {
 
 }  // namespace
 
+VisibilityPass::Programs::Programs(ProgramId objectsId, ProgramId cellsId, bool hasCells,
+                                   const gl::ShaderLibrary& shaders)
+    : objects(programSource(objectsId), shaders) {
+  if (hasCells) cells.emplace(programSource(cellsId), shaders);
+}
+
 VisibilityPass::VisibilityPass(ObjectStore& objects, const ImportanceMask* importance, const gl::ShaderLibrary& shaders)
     : objects_(objects),
-      classifyProgram_(programSource(ProgramId::kClassify), shaders),
-      analyseMapProgram_(programSource(ProgramId::kAnalyseMap), shaders),
-      analyseMapDepthProgram_(programSource(ProgramId::kAnalyseMapDepth), shaders),
-      analyseDepthProgram_(programSource(ProgramId::kAnalyseDepth), shaders),
+      classify_(ProgramId::kClassify, ProgramId::kClassifyCells, objects.cellCount > 0, shaders),
+      analyseMap_(ProgramId::kAnalyseMap, ProgramId::kAnalyseCellsMap, objects.cellCount > 0, shaders),
+      analyseMapDepth_(ProgramId::kAnalyseMapDepth, ProgramId::kAnalyseCellsMapDepth, objects.cellCount > 0, shaders),
+      analyseDepth_(ProgramId::kAnalyseDepth, ProgramId::kAnalyseCellsDepth, objects.cellCount > 0, shaders),
       countPixelsProgram_(programSource(ProgramId::kCountPixels), shaders),
-      classifyCellsProgram_(programSource(ProgramId::kClassifyCells), shaders),
-      analyseCellsMapProgram_(programSource(ProgramId::kAnalyseCellsMap), shaders),
-      analyseCellsMapDepthProgram_(programSource(ProgramId::kAnalyseCellsMapDepth), shaders),
-      analyseCellsDepthProgram_(programSource(ProgramId::kAnalyseCellsDepth), shaders),
       view_(sizeof(gpu::CullView), GL_DYNAMIC_STORAGE_BIT, "cull view"),
       cosines_(makeCosines()) {
   if (importance == nullptr) return;
@@ -59,8 +60,7 @@ void VisibilityPass::setView(gpu::CullView view) {
 void VisibilityPass::classify(const SceneBindings& scene) {
   if (importance_) importance_->bind(gpu::kUnitImportance);
   objects_.pixelCounts.bindStorage(gpu::kBindingPixelCounts);
-  dispatch(classifyProgram_, scene);
-  dispatchCells(classifyCellsProgram_, scene);
+  run(classify_, scene);
 }
 
 void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover) {
@@ -73,11 +73,11 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const
     cover.depth->bind(gpu::kUnitDepth);
   }
   cosines_.bindStorage(gpu::kBindingCosines);
-  dispatch(!usesDepth ? analyseMapProgram_ : usesMap ? analyseMapDepthProgram_ : analyseDepthProgram_, scene);
-  dispatchCells(!usesDepth ? analyseCellsMapProgram_
-                : usesMap  ? analyseCellsMapDepthProgram_
-                           : analyseCellsDepthProgram_,
-                scene);
+  if (!usesDepth) {
+    run(analyseMap_, scene);
+  } else {
+    run(usesMap ? analyseMapDepth_ : analyseDepth_, scene);
+  }
 }
 
 void VisibilityPass::countPixels(const gl::Texture& items) {
@@ -105,8 +105,12 @@ ObjectBuffers VisibilityPass::decided() const {
   return buffers;
 }
 
+void VisibilityPass::run(const Programs& programs, const SceneBindings& scene) const {
+  dispatch(programs.objects, scene);
+  if (programs.cells) dispatchCells(*programs.cells, scene);
+}
+
 void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindings& scene) const {
-  if (objects_.cellCount == 0) return;
   program.use();
   view_.bindUniform(gpu::kBindingCullView);
   scene.transforms->bindStorage(gpu::kBindingTransforms);

@@ -10,6 +10,7 @@
 #include "visibility/importance_mask.h"
 #include "visibility/object_store.h"
 #include "visibility/pass_bindings.h"
+#include "visibility/program_table.h"
 
 namespace jalousie::visibility {
 
@@ -38,19 +39,23 @@ class VisibilityPass {
   ObjectBuffers decided() const;
 
  private:
+  /// A kernel for objects, and the one for their cells where the scene has any.
+  struct Programs {
+    Programs(ProgramId objectsId, ProgramId cellsId, bool hasCells, const gl::ShaderLibrary& shaders);
+    gl::Program objects;
+    std::optional<gl::Program> cells;
+  };
+
+  void run(const Programs& programs, const SceneBindings& scene) const;
   void dispatch(const gl::Program& program, const SceneBindings& scene) const;
   void dispatchCells(const gl::Program& program, const SceneBindings& scene) const;
 
   ObjectStore& objects_;
-  gl::Program classifyProgram_;
-  gl::Program analyseMapProgram_;
-  gl::Program analyseMapDepthProgram_;
-  gl::Program analyseDepthProgram_;
+  Programs classify_;
+  Programs analyseMap_;
+  Programs analyseMapDepth_;
+  Programs analyseDepth_;
   gl::Program countPixelsProgram_;
-  gl::Program classifyCellsProgram_;
-  gl::Program analyseCellsMapProgram_;
-  gl::Program analyseCellsMapDepthProgram_;
-  gl::Program analyseCellsDepthProgram_;
   gl::Buffer view_;
   gl::Buffer cosines_;
   std::optional<gl::Texture> importance_;
