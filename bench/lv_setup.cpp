@@ -1,8 +1,10 @@
 // All constants of culling modes, level rules and visibility measures that lv_bench uses.
 #include "lv_setup.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "compare/configuration.h"
 #include "core/error.h"
@@ -52,6 +54,10 @@ scene::Camera LvView::camera() const {
     return scene::lookAt(eye, look, scene.boundsWorld);
   if (scene.cameras.empty()) throw Error(ErrorCode::kUsage, "the scene has no camera path; give EYE:LOOK", text);
   return scene::cameraAtFrame(scene.cameras.front(), std::strtof(text.c_str(), nullptr));
+}
+
+nlohmann::ordered_json orNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOptions& options,
