@@ -112,7 +112,8 @@ nlohmann::ordered_json readFigures(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw Error(ErrorCode::kFileNotFound, "cannot be opened", path);
   const auto json = nlohmann::ordered_json::parse(file, nullptr, /*allow_exceptions=*/false);
-  if (!json.is_object() || !json.contains("figures") || !json["figures"].contains("rows"))
+  if (!json.is_object() || !json.contains("figures") || !json["figures"].contains("rows") ||
+      !json["figures"].contains("sweeps"))
     throw Error(ErrorCode::kMalformed, "not written by lv_bench prove --json", path);
   return json["figures"];
 }
@@ -122,9 +123,14 @@ void joinTables(const Arguments& arguments, nlohmann::ordered_json& figures) {
   std::vector<std::string> files = arguments.views;
   files.insert(files.begin(), arguments.scene);
   figures = nlohmann::ordered_json::object();
-  for (const std::string& file : files)
-    for (const auto& [key, list] : readFigures(file).items())
-      if (key != "means") figures[key].insert(figures[key].end(), list.begin(), list.end());
+  for (const char* key : {"rows", "sweeps"})
+    figures[key] = nlohmann::ordered_json::array();
+  for (const std::string& file : files) {
+    const nlohmann::ordered_json read = readFigures(file);
+    for (const char* key : {"rows", "sweeps"})
+      for (const nlohmann::ordered_json& entry : read[key])
+        figures[key].push_back(entry);
+  }
   printProveHead();
   printProveRows(figures, 0);
   printProveMeans(figures);

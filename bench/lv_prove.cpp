@@ -25,8 +25,8 @@ constexpr std::span<const float> kMovingTaus(kTaus, 6);  // 8 to 0.25
 constexpr int kPathFrames = 64;
 constexpr int kComparedEvery = 8;             // frames
 constexpr double kMostMovingTriangles = 2e6;  // mean per frame; from here on, a path takes long on a software renderer
-constexpr std::size_t kLeastMovingTaus = 3;   // 8, 4, 2
-constexpr int kRounds = 9;                    // of frame times
+constexpr std::size_t kLeastMovingTaus = kOnePixel + 1;
+constexpr int kRounds = 9;  // of frame times
 
 struct Candidate {
   const char* name;
@@ -44,9 +44,10 @@ const Candidate kCandidates[] = {{"lv-error", kDefault, false},
 struct Measured {
   std::vector<Sample> still;
   std::vector<Sample> moving;
-  std::vector<ImageRgba8> pictures;  ///< of all samples of pixel error: still ones, then those of the path
-  double switches = std::nan("");    ///< share of visible objects per frame of the path
-  double frameMs = std::nan("");     ///< median, at a tau of one pixel
+  std::vector<ImageRgba8> stillPictures;   ///< of levels by pixel error
+  std::vector<ImageRgba8> movingPictures;  ///< likewise
+  double switches = std::nan("");          ///< share of visible objects per frame of the path
+  double frameMs = std::nan("");           ///< median, at a tau of one pixel
 };
 
 /// A candidate with a renderer of its own, so that no other one disturbs its history.
@@ -131,7 +132,7 @@ class ViewProof {
     for (Run& run : runs_) {
       if (twinOf(run) != nullptr) continue;
       Stage stage{*run.renderer, camera, reference};
-      if (run.keepsPictures()) stage.pictures = &run.measured.pictures;
+      if (run.keepsPictures()) stage.pictures = &run.measured.stillPictures;
       run.measured.still = stage.sweep(optionsOf(run.candidate.configuration, 1.0F), kTaus, run.candidate.name);
       report("still", run.candidate.name);
     }
@@ -170,7 +171,7 @@ class ViewProof {
       if (isCompared(frame)) {
         ImageRgba8 picture = renderer.readImage();
         compared.push_back(references[static_cast<std::size_t>(frame / kComparedEvery) - 1].errorsOf(picture));
-        if (run.keepsPictures()) run.measured.pictures.push_back(std::move(picture));
+        if (run.keepsPictures()) run.measured.movingPictures.push_back(std::move(picture));
       }
       if (tau == 1.0F) switches.add(renderer);
     });
@@ -215,7 +216,9 @@ class ViewProof {
     const Measured& base = runs_.front().measured;
     const Measured& own = run.measured;
     nlohmann::ordered_json wrong;
-    if (run.candidate.cells && run.keepsPictures()) wrong = wrongPixels(base.pictures, own.pictures);
+    if (run.candidate.cells && run.keepsPictures())
+      wrong = std::max(wrongPixels(base.stillPictures, own.stillPictures),
+                       wrongPixels(base.movingPictures, own.movingPictures));
     return {{"scene", view_.sceneName},
             {"view", view_.text},
             {"candidate", run.candidate.name},

@@ -1,19 +1,22 @@
 #!/usr/bin/env node
 // Places copies of several GLB models in one scene, for bench/prove.
-import { readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, extname, join } from 'node:path';
 
-const usage = `Usage: bench/place_models.mjs OUT.glb LAYOUT COLUMNS ROWS SPACING MODEL.glb=SIZE...
+const usage = `Usage: bench/place_models.mjs OUT.glb LAYOUT COLUMNS ROWS SPACING MODEL...
 Writes a scene of COLUMNS x ROWS squares with sides of SPACING meters, centred at the origin, y up.
 
   LAYOUT   field: one model per square, on the ground, turned, scaled by 0.8 to 1.25 and moved off the centre at random
            rooms: every square is a room with walls and doors, and holds four models
-  SIZE     Largest extent of the model in the scene, meters
+  MODEL    FILE.glb=SIZE or FILE.glb,FILE.mtl=SIZE; SIZE is the largest extent in the scene, meters. The MTL file names
+           the pictures (map_Kd) of the GLB file's materials, because jalousie-bake does not read those of OBJ files.
+           A model that is given twice is placed twice as often.
 
-The models take turns. The same arguments give the same scene. Only meshes, materials and pictures are taken, from GLB
+The models take turns in a random order. The same arguments give the same scene. Only meshes, materials and pictures are taken, from GLB
 files with one buffer; animations, skins and cameras are left out.
 
 Examples:
-  bench/place_models.mjs forest.glb field 6 6 6 pine.glb=12 bush.glb=2
+  bench/place_models.mjs forest.glb field 6 6 6 pine.glb,pine.mtl=12 bush.glb=2
   bench/place_models.mjs house.glb rooms 5 5 6 sofa.glb=2 piano.glb=1.6
 `;
 
@@ -130,7 +133,7 @@ class Scene {
   }
 
   /** Copies the lists of a file; indices into them grow by the lengths of the lists here. */
-  addFile(file, size) {
+  addFile(file, materials, size) {
     const { json, binary } = readGlb(file);
     if ((json.buffers ?? []).length !== 1) throw new Failure(`${file}: one buffer is expected`);
     const base = Object.fromEntries(Object.entries(this.json).filter(([, v]) => Array.isArray(v)).map(([k, v]) => [k, v.length]));
@@ -156,9 +159,37 @@ class Scene {
     }
     for (const list of ['bufferViews', 'accessors', 'images', 'textures', 'samplers', 'materials', 'meshes'])
       for (const entry of json[list] ?? []) this.json[list].push(entry);
+    if (materials) this.addPictures(materials, this.json.materials.slice(base.materials));
     for (const list of ['extensionsUsed', 'extensionsRequired'])
       if (json[list]) this.json[list] = [...new Set([...(this.json[list] ?? []), ...json[list]])];
     return this.model(meshNodes(json).map(({ mesh, matrix }) => ({ mesh: mesh + base.meshes, matrix })), size);
+  }
+
+  /** Gives materials the pictures that an MTL file names for them. Pictures that are not there are left out. */
+  addPictures(file, materials) {
+    const textures = new Map();
+    let name = '';
+    for (const line of readFileSync(file, 'latin1').split(/\r?\n/)) {
+      const [, key, value] = /^\s*(newmtl|map_Kd)\s+(.*?)\s*$/.exec(line) ?? [];
+      if (key === 'newmtl') name = value;
+      if (key !== 'map_Kd') continue;
+      const picture = join(dirname(file), value);
+      if (!textures.has(picture)) textures.set(picture, this.addPicture(picture));
+      const index = textures.get(picture);
+      if (index === undefined) continue;
+      for (const material of materials.filter((one) => one.name === name))
+        material.pbrMetallicRoughness = { baseColorTexture: { index }, metallicFactor: 0 };
+    }
+  }
+
+  /** @return  a texture index; undefined if the file is not there or is no PNG or JPEG file */
+  addPicture(file) {
+    const mimeType = { '.png': 'image/png', '.jpg': 'image/jpeg', '.jpeg': 'image/jpeg' }[extname(file).toLowerCase()];
+    if (!mimeType || !existsSync(file)) return undefined;
+    const bytes = readFileSync(file);
+    this.json.bufferViews.push({ buffer: 0, byteOffset: this.appendBytes(bytes), byteLength: bytes.length });
+    this.json.images.push({ mimeType, bufferView: this.json.bufferViews.length - 1 });
+    return this.json.textures.push({ source: this.json.images.length - 1 }) - 1;
   }
 
   /** A model of meshes: its nodes and the matrix that puts it onto the origin, with a largest extent of `size`. */
@@ -262,6 +293,16 @@ function at(x, z, quarter = false) {
   return quarter ? [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, x, 0, z, 1] : [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, z, 1];
 }
 
+/** As many models as asked for, each as often as every other one, in a random order. */
+function turns(models, count, random) {
+  const all = Array.from({ length: count }, (_, i) => models[i % models.length]);
+  for (let i = count - 1; i > 0; --i) {
+    const other = Math.floor((i + 1) * random());
+    [all[i], all[other]] = [all[other], all[i]];
+  }
+  return all;
+}
+
 function addGround(scene, grid) {
   const half = grid.spacing / 2;
   const ground = scene.addBoxes('ground', [[-half, -1, -half, half, -kGroundDepth, half]], [0.25, 0.3, 0.2]);
@@ -270,9 +311,10 @@ function addGround(scene, grid) {
 
 function layOutField(scene, grid, models, random) {
   addGround(scene, grid);
+  const order = turns(models, grid.columns * grid.rows, random);
   squares(grid).forEach(({ x, z }, i) => {
     const moved = () => (random() - 0.5) * 0.4 * grid.spacing;
-    scene.place(models[i % models.length], x + moved(), z + moved(), 2 * Math.PI * random(), 0.8 * 1.5625 ** random());
+    scene.place(order[i], x + moved(), z + moved(), 2 * Math.PI * random(), 0.8 * 1.5625 ** random());
   });
 }
 
@@ -290,7 +332,7 @@ function layOutRooms(scene, grid, models, random) {
   for (const { x, z } of squares({ columns: grid.columns + 1, rows: grid.rows + 1, spacing: grid.spacing }))
     scene.addNode(pillar, at(x, z));
   const half = grid.spacing / 2;
-  let turn = 0;
+  const order = turns(models, 4 * grid.columns * grid.rows, random);
   for (const { x, z, column, row } of squares(grid)) {
     scene.addNode(wall, at(x, z - half));
     scene.addNode(wall, at(x - half, z, true));
@@ -299,7 +341,7 @@ function layOutRooms(scene, grid, models, random) {
     for (const [dx, dz] of [[-1, -1], [1, -1], [-1, 1], [1, 1]]) {
       const quarter = Math.floor(4 * random());
       const near = 0.27 * grid.spacing;
-      scene.place(models[turn++ % models.length], x + dx * near, z + dz * near, (quarter * Math.PI) / 2, 1);
+      scene.place(order.pop(), x + dx * near, z + dz * near, (quarter * Math.PI) / 2, 1);
     }
   }
 }
@@ -316,10 +358,12 @@ function main(words) {
   if (!layOut || !isCount(grid.columns) || !isCount(grid.rows) || !(grid.spacing > 0) || specs.length === 0)
     throw new Failure('OUT.glb, field or rooms, two counts of 1 to 100, a length and models are needed (see --help)');
   const scene = new Scene();
+  const added = new Map();
   const models = specs.map((spec) => {
-    const [, file, size] = /^(.+)=([0-9.]+)$/.exec(spec) ?? [];
-    if (!file) throw new Failure(`${spec} is not MODEL.glb=SIZE (see --help)`);
-    return scene.addFile(file, Number(size));
+    const [, file, materials, size] = /^([^,]+\.glb)(?:,(.+\.mtl))?=([0-9.]+)$/.exec(spec) ?? [];
+    if (!file) throw new Failure(`${spec} is not FILE.glb=SIZE or FILE.glb,FILE.mtl=SIZE (see --help)`);
+    if (!added.has(spec)) added.set(spec, scene.addFile(file, materials, Number(size)));
+    return added.get(spec);
   });
   layOut(scene, grid, models, makeRandom(7));
   scene.write(out);

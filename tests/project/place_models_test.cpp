@@ -38,7 +38,7 @@ void writeModel(const fs::path& file) {
       {"scenes", {{{"nodes", {0}}}}},
       {"nodes", {{{"mesh", 0}}}},
       {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"material", 0}}}}}}},
-      {"materials", {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}}},
+      {"materials", {{{"name", "bark"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}}},
       {"textures", {{{"source", 0}}}},
       {"images", {{{"uri", "data:image/png;base64,"}}}},
       {"accessors",
@@ -116,6 +116,20 @@ TEST_F(PlaceModels, ModelsStandOnTheGroundWithTheSizeThatWasAskedFor) {
   EXPECT_EQ(models, 4);
 }
 
+TEST_F(PlaceModels, MaterialsGetThePicturesOfAnMtlFile) {
+  std::ofstream(folder_.path() / "picture.png") << "12345";
+  std::ofstream(folder_.path() / "model.mtl")
+      << "newmtl other\nmap_Kd picture.png\nnewmtl wood\nmap_Kd missing.png\nnewmtl bark\nmap_Kd picture.png\n";
+  const std::string mtl = (folder_.path() / "model.mtl").string();
+  const test::ProgramResult result = place({"field", "1", "1", "10", model() + "," + mtl + "=8"});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const json scene = readJson(out());
+  const json& bark = scene["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  const json& image = scene["images"][scene["textures"][bark["index"].get<std::size_t>()]["source"].get<std::size_t>()];
+  EXPECT_EQ(image["mimeType"], "image/png");
+  EXPECT_EQ(scene["bufferViews"][image["bufferView"].get<std::size_t>()]["byteLength"], 5);
+}
+
 TEST_F(PlaceModels, TheSameArgumentsGiveTheSameScene) {
   ASSERT_EQ(place({"field", "3", "3", "5", model() + "=2"}).exitCode, 0);
   const json first = readJson(out());
@@ -127,7 +141,7 @@ TEST_F(PlaceModels, WrongArgumentsAreOneLine) {
   for (const auto& [arguments, reason] :
        {std::pair{std::vector<std::string>{"field", "0", "1", "5", model() + "=2"}, "two counts of 1 to 100"},
         std::pair{std::vector<std::string>{"heap", "1", "1", "5", model() + "=2"}, "field or rooms"},
-        std::pair{std::vector<std::string>{"field", "1", "1", "5", model()}, "is not MODEL.glb=SIZE"}}) {
+        std::pair{std::vector<std::string>{"field", "1", "1", "5", model()}, "is not FILE.glb=SIZE"}}) {
     const test::ProgramResult result = place(arguments);
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.standardError.find(reason), std::string::npos) << result.standardError;
