@@ -37,14 +37,19 @@ double trianglesAt(const std::vector<Sample>& samples, const ErrorMeasure& measu
   return std::nan("");
 }
 
-double ratioAtEqualError(const std::vector<Sample>& samples, const std::vector<Sample>& base,
-                         const std::vector<Sample>& levels, const ErrorMeasure& measure) {
+std::vector<double> ratiosAtEqualErrors(const std::vector<Sample>& samples, const std::vector<Sample>& base,
+                                        const std::vector<Sample>& levels, const ErrorMeasure& measure) {
   std::vector<double> ratios;
   for (std::size_t i = kOnePixel - 1; i <= kOnePixel + 2 && i < levels.size(); ++i) {
     const double value = levels[i].*measure.value;
     ratios.push_back(trianglesAt(samples, measure, value) / trianglesAt(base, measure, value));
   }
-  return geometricMean(ratios);
+  return ratios;
+}
+
+double ratioAtEqualError(const std::vector<Sample>& samples, const std::vector<Sample>& base,
+                         const std::vector<Sample>& levels, const ErrorMeasure& measure) {
+  return geometricMean(ratiosAtEqualErrors(samples, base, levels, measure));
 }
 
 double geometricMean(const std::vector<double>& values) {

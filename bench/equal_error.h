@@ -31,6 +31,7 @@ struct ErrorMeasure {
 inline constexpr ErrorMeasure kPsnr = {"psnr", &Sample::psnr, false};
 inline constexpr ErrorMeasure kSsim = {"ssim", &Sample::ssim, false};
 inline constexpr ErrorMeasure kFlip = {"flip", &Sample::flip, true};
+inline constexpr ErrorMeasure kMeasures[] = {kPsnr, kSsim, kFlip};
 
 /// Mean of samples of several pictures: of triangles, SSIM and FLIP the arithmetic mean, of PSNR that of the mean
 /// squared error, so that equal pictures count as an error of 0. @pre samples not empty (checked)
@@ -41,8 +42,11 @@ Sample meanOf(const std::vector<Sample>& samples);
 /// @param samples  in the order of falling tau, not empty
 double trianglesAt(const std::vector<Sample>& samples, const ErrorMeasure& measure, double value);
 
-/// Geometric mean of the ratios of triangles at equal error, over the errors that `levels` has at a tau of 2, 1, 0.5
-/// and 0.25; NaN if no error is in the range of both sweeps. @param levels  a sweep over kTaus
+/// Ratios of triangles at the errors that `levels` has at a tau of 2, 1, 0.5 and 0.25; NaN for errors that are not in
+/// the range of both sweeps. Fewer where `levels` ends earlier. @param levels  a sweep over kTaus
+std::vector<double> ratiosAtEqualErrors(const std::vector<Sample>& samples, const std::vector<Sample>& base,
+                                        const std::vector<Sample>& levels, const ErrorMeasure& measure);
+/// Their geometric mean; NaN if no error is in the range of both sweeps.
 double ratioAtEqualError(const std::vector<Sample>& samples, const std::vector<Sample>& base,
                          const std::vector<Sample>& levels, const ErrorMeasure& measure = kPsnr);
 

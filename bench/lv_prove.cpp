@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <utility>
 
 #include "gl_bench.h"
@@ -21,12 +21,21 @@ namespace {
 
 constexpr std::uint32_t kWidth = 640;
 constexpr std::uint32_t kHeight = 360;
-constexpr std::span<const float> kMovingTaus(kTaus, 6);  // 8 to 0.25
+/// The first seven are kTaus.
+constexpr float kSweepTaus[] = {8.0F, 4.0F, 2.0F, 1.0F, 0.5F, 0.25F, 0.125F, 0.0625F, 0.03125F};
+
+/// How far a sweep goes: counts of kSweepTaus.
+struct SweepRange {
+  std::size_t least;     ///< measured at any cost
+  std::size_t usual;     ///< measured unless frames have more than mostTriangles
+  std::size_t most;      ///< further ones are measured until the finest error that is compared is reached
+  double mostTriangles;  ///< mean per frame; from here on, a sweep takes long on a software renderer
+};
+constexpr SweepRange kStillRange = {kOnePixel + 2, 7, 9, kMostTriangles};
+constexpr SweepRange kMovingRange = {kOnePixel + 1, 6, 8, 2e6};
 constexpr int kPathFrames = 64;
-constexpr int kComparedEvery = 8;             // frames
-constexpr double kMostMovingTriangles = 2e6;  // mean per frame; from here on, a path takes long on a software renderer
-constexpr std::size_t kLeastMovingTaus = kOnePixel + 1;
-constexpr int kRounds = 9;  // of frame times
+constexpr int kComparedEvery = 8;  // frames
+constexpr int kRounds = 9;         // of frame times
 
 struct Candidate {
   const char* name;
@@ -71,6 +80,27 @@ std::uint64_t wrongPixels(const std::vector<ImageRgba8>& expected, const std::ve
     worst = std::max(worst, wrong);
   }
   return worst;
+}
+
+/// Whether a sweep reaches the finest error of the baseline that is compared, in all measures.
+bool isFineEnough(const std::vector<Sample>& samples, const std::vector<Sample>& base) {
+  if (base.empty()) return true;  // the baseline itself
+  const Sample& finest = base[std::min(kOnePixel + 2, base.size() - 1)];
+  return std::ranges::none_of(kMeasures, [&](const ErrorMeasure& measure) {
+    return measure.quality(samples.back()) < measure.quality(finest);
+  });
+}
+
+/// Samples over falling tau. @param base  of the baseline; empty for itself
+std::vector<Sample> sweep(const SweepRange& range, const std::vector<Sample>& base,
+                          const std::function<Sample(float tau)>& sampleAt) {
+  std::vector<Sample> samples;
+  while (samples.size() < range.most) {
+    if (samples.size() >= range.usual && isFineEnough(samples, base)) break;
+    samples.push_back(sampleAt(kSweepTaus[samples.size()]));
+    if (samples.size() >= range.least && samples.back().triangles > range.mostTriangles) break;
+  }
+  return samples;
 }
 
 /// All candidates in one view.
@@ -133,7 +163,9 @@ class ViewProof {
       if (twinOf(run) != nullptr) continue;
       Stage stage{*run.renderer, camera, reference};
       if (run.keepsPictures()) stage.pictures = &run.measured.stillPictures;
-      run.measured.still = stage.sweep(optionsOf(run.candidate.configuration, 1.0F), kTaus, run.candidate.name);
+      run.measured.still = sweep(kStillRange, runs_.front().measured.still,
+                                 [&](float tau) { return stage.sample(optionsOf(run.candidate.configuration, tau)); });
+      requireImproves(run.measured.still, run.candidate.name);
       report("still", run.candidate.name);
     }
   }
@@ -146,12 +178,9 @@ class ViewProof {
     report("moving", "references");
     for (Run& run : runs_) {
       if (twinOf(run) != nullptr) continue;
-      std::vector<Sample>& samples = run.measured.moving;
-      for (const float tau : kMovingTaus) {
-        samples.push_back(alongPath(run, path, references, tau));
-        if (samples.size() >= kLeastMovingTaus && samples.back().triangles > kMostMovingTriangles) break;
-      }
-      requireImproves(samples, run.candidate.name);
+      run.measured.moving = sweep(kMovingRange, runs_.front().measured.moving,
+                                  [&](float tau) { return alongPath(run, path, references, tau); });
+      requireImproves(run.measured.moving, run.candidate.name);
       report("moving", run.candidate.name);
     }
   }
@@ -204,11 +233,15 @@ class ViewProof {
     return all;
   }
 
+  /// For each measure the mean ratio, and on how many of the four errors it rests.
   static nlohmann::ordered_json ratios(const std::vector<Sample>& samples, const std::vector<Sample>& base) {
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     if (samples.empty()) return all;
-    for (const ErrorMeasure& measure : {kPsnr, kSsim, kFlip})
-      all[measure.name] = orNull(ratioAtEqualError(samples, base, base, measure));
+    for (const ErrorMeasure& measure : kMeasures) {
+      const std::vector<double> each = ratiosAtEqualErrors(samples, base, base, measure);
+      all[measure.name] = orNull(geometricMean(each));
+      all["errors"][measure.name] = std::ranges::count_if(each, [](double ratio) { return !std::isnan(ratio); });
+    }
     return all;
   }
 

@@ -16,21 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kErrors = 4;  // that a ratio is the mean over
 constexpr const char* kParts[] = {"still", "moving"};
 constexpr const char* kColumns =
     " still: PSNR | SSIM | FLIP | moving: PSNR | SSIM | FLIP | switches (baseline) | frame time | wrong pixels |";
 
 double number(const Json& value) {
   return value.is_number() ? value.get<double>() : std::nan("");
-}
-
-/// The ratios of a row: three errors of still pictures, three of moving ones. NaN where they were not measured.
-std::vector<double> ratiosOf(const Json& row) {
-  std::vector<double> all;
-  for (const char* part : kParts)
-    for (const ErrorMeasure& measure : {kPsnr, kSsim, kFlip})
-      all.push_back(number(row[part].value(measure.name, Json())));
-  return all;
 }
 
 std::string text(double value) {
@@ -41,10 +33,18 @@ std::string percent(double share) {
   return std::isnan(share) ? "-" : fmt::format("{:.2f} %", 100.0 * share);
 }
 
+/// A mean ratio; in brackets the number of errors that it rests on, if some are missing.
+std::string ratioText(const Json& part, const char* measure) {
+  const std::string ratio = text(number(part.value(measure, Json())));
+  const int errors = part.contains("errors") ? part["errors"].value(measure, 0) : kErrors;
+  return errors == 0 || errors == kErrors ? ratio : fmt::format("{} ({})", ratio, errors);
+}
+
 /// Everything of a line but its names.
 void printFigures(const Json& row) {
-  for (const double ratio : ratiosOf(row))
-    fmt::print(" {} |", text(ratio));
+  for (const char* part : kParts)
+    for (const ErrorMeasure& measure : kMeasures)
+      fmt::print(" {} |", ratioText(row[part], measure.name));
   fmt::print(" {} ({}) | {} | {} |\n", percent(number(row["switches"])), percent(number(row["switches_of_baseline"])),
              text(number(row["frame_ratio"])), row["wrong_pixels"].is_null() ? "-" : row["wrong_pixels"].dump());
 }
@@ -69,7 +69,7 @@ double arithmeticMean(const std::vector<double>& values) {
 Json meanOfRows(const std::string& candidate, const std::vector<Json>& rows) {
   Json mean = {{"candidate", candidate}, {"views", rows.size()}};
   for (const char* part : kParts)
-    for (const ErrorMeasure& measure : {kPsnr, kSsim, kFlip})
+    for (const ErrorMeasure& measure : kMeasures)
       mean[part][measure.name] = reduced(
           rows, [&](const Json& row) { return number(row[part].value(measure.name, Json())); }, geometricMean);
   const auto at = [](const char* key) { return [key](const Json& row) { return number(row[key]); }; };

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSettle = 6;  // frames
 
-constexpr LvConfiguration kMeasures[] = {
+constexpr LvConfiguration kMeasureRows[] = {
     {"hiz + lv-error, coverage", CullMode::kHiz, LodRule::kLvError, LvMeasure::kCoverage},
     {"hiz + lv-error, chord", CullMode::kHiz, LodRule::kLvError, LvMeasure::kChord},
     {"hiz + lv-error, spectral", CullMode::kHiz, LodRule::kLvError, LvMeasure::kSpectral},
@@ -31,7 +31,7 @@ const LvConfiguration kFrustum = {"frustum + pixel-error", CullMode::kFrustum, L
 const LvConfiguration kDefault = {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels};
 const LvConfiguration kPriced = {"hiz + price, pixels", CullMode::kHiz, LodRule::kPrice, LvMeasure::kPixels};
 const LvConfiguration kThesis = {"hom + thesis", CullMode::kHom, LodRule::kLinear, LvMeasure::kThesis};
-const std::span<const LvConfiguration> kOtherMeasures = kMeasures;
+const std::span<const LvConfiguration> kOtherMeasures = kMeasureRows;
 
 render::FrameOptions optionsOf(const LvConfiguration& configuration, float tau, bool calm) {
   render::FrameOptions options;

@@ -58,6 +58,18 @@ TEST(EqualError, RatioIsThatOfTheTrianglesForEveryMeasure) {
   EXPECT_TRUE(std::isnan(ratioAtEqualError({{100, 50}}, base, {{1, 90}, {1, 90}, {1, 90}}))) << "no common error";
 }
 
+TEST(EqualError, ErrorsOutsideOneSweepHaveNoRatio) {
+  const std::vector<Sample> base = {{100, 20}, {200, 21}, {400, 22}, {800, 23}, {1600, 24}, {3200, 25}};
+  const std::vector<Sample> shorter = {{50, 20}, {100, 21}, {200, 22}, {400, 23}};
+  const std::vector<double> ratios = ratiosAtEqualErrors(shorter, base, base, kPsnr);
+  ASSERT_EQ(ratios.size(), 4U);
+  EXPECT_NEAR(ratios[0], 0.5, 1e-9);
+  EXPECT_NEAR(ratios[1], 0.5, 1e-9);
+  EXPECT_TRUE(std::isnan(ratios[2]));
+  EXPECT_TRUE(std::isnan(ratios[3]));
+  EXPECT_NEAR(ratioAtEqualError(shorter, base, base), 0.5, 1e-9);
+}
+
 TEST(EqualError, AMissingMeasureGivesNoRatio) {
   const std::vector<Sample> samples = {{100, 20, 0.8}, {200, 21, 0.9}, {400, 22, 0.95}};
   EXPECT_TRUE(std::isnan(ratioAtEqualError(samples, samples, samples, kFlip)));
