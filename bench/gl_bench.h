@@ -19,7 +19,8 @@ inline constexpr int kWrongResult = 1;
 /// Ends the benchmark with kWrongResult and a message if `right` is false.
 void require(bool right, const std::string& message);
 
-/// Requires that the counts of a frame agree: every object is drawn or culled, and every drawn object has a level.
+/// Requires that the counts of a frame agree: every object is drawn or culled (or, with cells, all of its
+/// cells are), and every drawn object has a level.
 /// @param where  names the frame in the message
 void requireCounts(const render::FrameStatistics& statistics, const std::string& where);
 

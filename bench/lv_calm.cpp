@@ -10,20 +10,19 @@
 #include <utility>
 #include <vector>
 
-#include "compare/switches.h"
 #include "core/median.h"
 #include "core/random.h"
 #include "gl_bench.h"
+#include "lv_path.h"
 #include "lv_setup.h"
 
 namespace jalousie::bench {
 namespace {
 
-constexpr int kWarmUp = 40;         // frames before the path
-constexpr int kFrames = 120;        // of the path, and under jitter
-constexpr int kFrozenFrames = 24;   // after the path
-constexpr int kJitterWarmUp = 240;  // frames; a smoothed LV adapts slowly
-constexpr float kDegreesPerFrame = 0.25F;
+constexpr int kPathFrames = 119;
+constexpr int kJitterFrames = 120;
+constexpr int kFrozenFrames = 24;      // after the path
+constexpr int kJitterWarmUp = 240;     // frames; a smoothed LV adapts slowly
 constexpr float kJitter = 0.01F;       // share of the median distance
 constexpr double kLeastPixels = 64.0;  // of an object whose change per pixel counts
 
@@ -33,14 +32,6 @@ float medianDistance(render::FrameRenderer& renderer, const scene::Camera& camer
   for (const float depth : renderer.readDepth())
     if (depth > 0.0F) distances.push_back(camera.zNear / depth);
   return distances.empty() ? 1.0F : median(std::move(distances));
-}
-
-/// The camera turned around a vertical axis through a point.
-scene::Camera turned(const scene::Camera& camera, const glm::vec3& center, float degrees) {
-  scene::Camera result = camera;
-  const glm::mat4 about = glm::rotate(glm::translate(glm::mat4(1.0F), center), glm::radians(degrees), {0, 1, 0});
-  result.worldFromCamera = glm::translate(about, -center) * camera.worldFromCamera;
-  return result;
 }
 
 struct Change {
@@ -85,31 +76,18 @@ Change largestChange(const Picture& before, const Picture& after) {
   return change;
 }
 
-/// Sums over frames.
-struct Totals {
-  double switched = 0.0;
-  double visible = 0.0;
-  double fading = 0.0;     ///< of the drawn objects, summed over the frames
+/// What was summed over the path.
+struct PathTotals {
+  SwitchTotals switches;
+  double fading = 0.0;     ///< share of the drawn objects, mean per frame
   double triangles = 0.0;  ///< mean per frame
-
-  void add(render::FrameRenderer& renderer) {
-    const compare::Switches now = compare::countSwitches(renderer);
-    require(now.switched <= now.visible, "more objects have switched than are visible");
-    switched += static_cast<double>(now.switched);
-    visible += static_cast<double>(now.visible);
-  }
-  double switchesPerObject() const {
-    require(visible > 0.0, "no object is visible");
-    return switched / visible;
-  }
 };
 
 /// One configuration in one view. The three measurements share the renderer's history: call them in this order.
 struct Run {
   render::FrameRenderer& renderer;
   render::FrameOptions drawn;
-  scene::Camera start;
-  glm::vec3 center;
+  Path path;
 
   render::FrameOptions undrawn() const {
     render::FrameOptions options = drawn;
@@ -117,27 +95,23 @@ struct Run {
     return options;
   }
 
-  Totals alongPath() const {
-    Totals totals;
-    for (int frame = 0; frame < kWarmUp + kFrames; ++frame) {
-      // The camera stands still during the warm-up, so that the start is no part of the path.
-      const float degrees = kDegreesPerFrame * static_cast<float>(std::max(0, frame - kWarmUp));
-      const scene::Camera camera = turned(start, center, degrees);
-      renderer.render(undrawn(), camera, camera);
-      if (frame <= kWarmUp) continue;
+  PathTotals alongPath() const {
+    PathTotals totals;
+    const auto never = [](int) { return false; };
+    walk(renderer, drawn, path, never, [&](int) {
       const render::FrameStatistics statistics = renderer.readStatistics();
       requireCounts(statistics, "a frame of the path");
-      totals.add(renderer);
-      totals.triangles += static_cast<double>(statistics.triangles) / (kFrames - 1);
-      totals.fading +=
-          static_cast<double>(statistics.fading) / static_cast<double>(std::max<std::uint64_t>(statistics.drawn, 1));
-    }
+      totals.switches.add(renderer);
+      totals.triangles += static_cast<double>(statistics.triangles) / kPathFrames;
+      totals.fading += static_cast<double>(statistics.fading) /
+                       static_cast<double>(std::max<std::uint64_t>(statistics.drawn, 1)) / kPathFrames;
+    });
     return totals;
   }
 
   /// The camera stops at the end of the path: only LOD switches change the picture.
   Change afterPath() const {
-    const scene::Camera end = turned(start, center, kDegreesPerFrame * kFrames);
+    const scene::Camera end = path.at(kPathFrames + 1);
     renderer.render(drawn, end, end);
     Picture last = readPicture(renderer);
     Change change;
@@ -151,13 +125,14 @@ struct Run {
     return change;
   }
 
-  Totals underJitter() const {
-    Totals totals;
+  SwitchTotals underJitter() const {
+    SwitchTotals totals;
+    const scene::Camera& start = path.start;
     Random random(5);
     renderer.resetHistory();
     renderer.render(drawn, start, start);
     const float reach = kJitter * medianDistance(renderer, start);
-    for (int frame = 0; frame < kJitterWarmUp + kFrames; ++frame) {
+    for (int frame = 0; frame < kJitterWarmUp + kJitterFrames; ++frame) {
       const glm::vec3 offset(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
       scene::Camera camera = start;
       camera.worldFromCamera = glm::translate(glm::mat4(1.0F), reach * offset) * start.worldFromCamera;
@@ -193,23 +168,23 @@ void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figu
                          {kPriced, true}}) {
     if (calmOnly && !row.calm) continue;
     render::FrameRenderer renderer(view.scene, kLvWidth, kLvHeight);
-    const Run run{renderer, optionsOf(row.configuration, 1.0F, row.calm), view.camera(),
-                  view.scene.boundsWorld.center()};
-    const Totals path = run.alongPath();
+    const Run run{renderer,
+                  optionsOf(row.configuration, 1.0F, row.calm),
+                  {view.camera(), view.scene.boundsWorld.center(), kPathFrames}};
+    const PathTotals path = run.alongPath();
     const Change change = run.afterPath();
-    const Totals jitter = run.underJitter();
-    const double fading = path.fading / (kFrames - 1);
+    const SwitchTotals jitter = run.underJitter();
     const std::string name = std::string(row.configuration.name) + (row.calm ? ", calm" : "");
     fmt::print("| {} | {:.3f} % | {:.4f} % | {:.2f} % | {:.0f} | {:.2f}, {:.4f} |\n", name,
-               100.0 * path.switchesPerObject(), 100.0 * jitter.switchesPerObject(), 100.0 * fading, path.triangles,
+               100.0 * path.switches.perObject(), 100.0 * jitter.perObject(), 100.0 * path.fading, path.triangles,
                change.pixels, change.share);
     std::fflush(stdout);
     figures.push_back({{"scene", view.sceneName},
                        {"view", view.text},
                        {"configuration", name},
-                       {"switches_on_path", path.switchesPerObject()},
-                       {"switches_under_jitter", jitter.switchesPerObject()},
-                       {"fading", fading},
+                       {"switches_on_path", path.switches.perObject()},
+                       {"switches_under_jitter", jitter.perObject()},
+                       {"fading", path.fading},
                        {"triangles", path.triangles},
                        {"frozen_change_pixels", change.pixels},
                        {"frozen_change_share", change.share}});

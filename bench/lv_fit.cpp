@@ -101,13 +101,9 @@ double priceAt(const std::vector<Sample>& samples, double psnr) {
   return std::nan("");
 }
 
-nlohmann::ordered_json orNull(double value) {
-  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
-}
-
 /// The sweep of one variant.
 std::vector<Sample> sweepOf(const LvView& view, const scene::SceneData& largest, const Variant& variant,
-                            const ImageRgba8& reference) {
+                            const Reference& reference) {
   const Folder folder;
   const gl::ShaderLibrary shaders = shadersOf(variant, folder.path());
   render::FrameRenderer renderer(variant.mean ? view.scene : largest, kWidth, kHeight, {.shaders = &shaders});
@@ -129,7 +125,7 @@ struct ViewFit {
                        {"view", view.text},
                        {"variant", variant},
                        {"triangles_at_equal_psnr", orNull(ratioAtEqualError(samples, uniform, uniform))},
-                       {"triangles_at_equal_ssim", orNull(ratioAtEqualError(samples, uniform, uniform, &Sample::ssim))},
+                       {"triangles_at_equal_ssim", orNull(ratioAtEqualError(samples, uniform, uniform, kSsim))},
                        {"price_at_equal_psnr", orNull(price)}});
     const nlohmann::ordered_json& row = figures.back();
     std::fprintf(stderr, "%s\n", row.dump().c_str());
@@ -140,11 +136,12 @@ struct ViewFit {
 
 void measureFit(const LvView& view, nlohmann::ordered_json& figures) {
   ViewFit fit{view, {}, figures};
-  ImageRgba8 reference;
+  Reference reference;
   {
     render::FrameRenderer renderer(view.scene, kWidth, kHeight);
     Stage stage{renderer, view.camera(), {}};
-    reference = stage.reference = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
+    reference.image = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
+    stage.reference = reference;
     fit.uniform = stage.sweep(optionsOf(kUniform, 1.0F), kTaus, kUniform.name);
     fit.addRow(kDefault.name, stage.sweep(optionsOf(kDefault, 1.0F), kTaus, kDefault.name), std::nan(""));
   }
@@ -159,7 +156,7 @@ void printFit(const nlohmann::ordered_json& figures) {
   constexpr const char* kKeys[] = {"triangles_at_equal_psnr", "triangles_at_equal_ssim", "price_at_equal_psnr"};
   std::vector<std::string> variants;
   std::map<std::string, std::vector<std::string>> perView;
-  std::map<std::string, std::map<std::string, std::vector<double>>> logarithms;
+  std::map<std::string, std::map<std::string, std::vector<double>>> values;
   std::string head;
   for (const nlohmann::ordered_json& row : figures) {
     const std::string variant = row["variant"];
@@ -172,7 +169,7 @@ void printFit(const nlohmann::ordered_json& figures) {
     };
     perView[variant].push_back(text(kKeys[0]) + ", " + text(kKeys[1]));
     for (const char* key : kKeys)
-      if (!row[key].is_null()) logarithms[variant][key].push_back(std::log(row[key].get<double>()));
+      if (!row[key].is_null()) values[variant][key].push_back(row[key].get<double>());
   }
   fmt::print(
       "Triangles over hiz + pixel-error at equal PSNR, at equal SSIM\n| error |{} PSNR, mean | SSIM, mean | "
@@ -183,11 +180,8 @@ void printFit(const nlohmann::ordered_json& figures) {
   for (const std::string& variant : variants) {
     fmt::print("\n| {} | {} |", variant, fmt::join(perView[variant], " | "));
     for (const char* key : kKeys) {
-      const std::vector<double>& all = logarithms[variant][key];
-      double sum = 0.0;
-      for (const double one : all)
-        sum += one;
-      fmt::print(" {} |", all.empty() ? "-" : fmt::format("{:.3f}", std::exp(sum / static_cast<double>(all.size()))));
+      const std::vector<double>& all = values[variant][key];
+      fmt::print(" {} |", all.empty() ? "-" : fmt::format("{:.3f}", geometricMean(all)));
     }
   }
   fmt::print("\n");

@@ -15,6 +15,7 @@
 #include "gl_bench.h"
 #include "lv_setup.h"
 #include "lv_sweep.h"
+#include "lv_times.h"
 #include "shared/limits.h"
 
 namespace jalousie::bench {
@@ -213,8 +214,9 @@ void printMasking(const nlohmann::ordered_json& figures) {
 }
 
 void measureMaskingCost(const LvView& view, nlohmann::ordered_json& figures) {
+  constexpr int kRounds = 7;
   render::FrameRenderer renderer(view.scene, kLvWidth, kLvHeight);
-  Stage stage{renderer, view.camera(), {}};
+  const scene::Camera camera = view.camera();
   fmt::print("{}, view {}\n| configuration | triangles | frame | analysis |\n|---|---|---|---|\n", view.sceneName,
              view.text);
   for (const LvConfiguration& configuration : {kUniform, kDefault, kPriced}) {
@@ -222,11 +224,12 @@ void measureMaskingCost(const LvView& view, nlohmann::ordered_json& figures) {
     both[1].masking = true;
     std::array<double, 2> triangles{};
     for (std::size_t i = 0; i < 2; ++i) {
-      settledImage(renderer, both[i], stage.camera);
+      settledImage(renderer, both[i], camera);
       triangles[i] = static_cast<double>(renderer.readStatistics().triangles);
     }
-    const std::vector<double> frame = stage.interleavedTimes(both);
-    const std::vector<double> analysis = stage.interleavedTimes(both, "analyse");
+    const std::vector<Timed> timed = {{renderer, both[0]}, {renderer, both[1]}};
+    const std::vector<double> frame = interleavedTimes(timed, camera, kRounds);
+    const std::vector<double> analysis = interleavedTimes(timed, camera, kRounds, "analyse");
     fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} |\n", configuration.name, triangles[1] / triangles[0],
                frame[1] / frame[0], analysis[1] / analysis[0]);
     std::fflush(stdout);

@@ -1,8 +1,10 @@
 // All constants of culling modes, level rules and visibility measures that lv_bench uses.
 #include "lv_setup.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "compare/configuration.h"
 #include "core/error.h"
@@ -12,7 +14,7 @@ namespace {
 
 constexpr int kSettle = 6;  // frames
 
-constexpr LvConfiguration kMeasures[] = {
+constexpr LvConfiguration kMeasureRows[] = {
     {"hiz + lv-error, coverage", CullMode::kHiz, LodRule::kLvError, LvMeasure::kCoverage},
     {"hiz + lv-error, chord", CullMode::kHiz, LodRule::kLvError, LvMeasure::kChord},
     {"hiz + lv-error, spectral", CullMode::kHiz, LodRule::kLvError, LvMeasure::kSpectral},
@@ -29,7 +31,7 @@ const LvConfiguration kFrustum = {"frustum + pixel-error", CullMode::kFrustum, L
 const LvConfiguration kDefault = {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels};
 const LvConfiguration kPriced = {"hiz + price, pixels", CullMode::kHiz, LodRule::kPrice, LvMeasure::kPixels};
 const LvConfiguration kThesis = {"hom + thesis", CullMode::kHom, LodRule::kLinear, LvMeasure::kThesis};
-const std::span<const LvConfiguration> kOtherMeasures = kMeasures;
+const std::span<const LvConfiguration> kOtherMeasures = kMeasureRows;
 
 render::FrameOptions optionsOf(const LvConfiguration& configuration, float tau, bool calm) {
   render::FrameOptions options;
@@ -52,6 +54,10 @@ scene::Camera LvView::camera() const {
     return scene::lookAt(eye, look, scene.boundsWorld);
   if (scene.cameras.empty()) throw Error(ErrorCode::kUsage, "the scene has no camera path; give EYE:LOOK", text);
   return scene::cameraAtFrame(scene.cameras.front(), std::strtof(text.c_str(), nullptr));
+}
+
+nlohmann::ordered_json orNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOptions& options,

@@ -54,6 +54,9 @@ struct LvView {
 ImageRgba8 settledImage(render::FrameRenderer& renderer, const render::FrameOptions& options,
                         const scene::Camera& camera);
 
+/// A number for JSON: null for NaN and infinity.
+nlohmann::ordered_json orNull(double value);
+
 /// Triangles, image error and frame time at one camera, against both baselines. Prints a table and adds its rows.
 /// @param allMeasures  every visibility measure instead of times
 void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& figures);

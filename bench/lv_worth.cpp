@@ -11,9 +11,12 @@
 #include "gl_bench.h"
 #include "lv_setup.h"
 #include "lv_sweep.h"
+#include "lv_times.h"
 
 namespace jalousie::bench {
 namespace {
+
+constexpr int kRounds = 7;
 
 /// One line of the table. Ratios that were not measured are NaN.
 struct Row {
@@ -25,22 +28,18 @@ struct Row {
 };
 
 void add(const LvView& view, const Row& row, nlohmann::ordered_json& figures) {
-  const auto orNull = [](double value) {
-    return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
-  };
   fmt::print("| {} | {:.0f} | {:.2f} | {:.4f} | {:.2f} | {:.2f} | {:.2f} |\n", row.name, row.sample.triangles,
              row.sample.psnr, row.sample.ssim, row.time, row.toUniform, row.toFrustum);
   std::fflush(stdout);
-  figures.push_back(
-      {{"scene", view.sceneName},
-       {"view", view.text},
-       {"configuration", row.name},
-       {"triangles", row.sample.triangles},
-       {"psnr", std::isinf(row.sample.psnr) ? nlohmann::ordered_json() : nlohmann::ordered_json(row.sample.psnr)},
-       {"ssim", row.sample.ssim},
-       {"frame_ratio", orNull(row.time)},
-       {"triangles_at_equal_psnr_over_hiz", orNull(row.toUniform)},
-       {"triangles_at_equal_psnr_over_frustum", orNull(row.toFrustum)}});
+  figures.push_back({{"scene", view.sceneName},
+                     {"view", view.text},
+                     {"configuration", row.name},
+                     {"triangles", row.sample.triangles},
+                     {"psnr", orNull(row.sample.psnr)},
+                     {"ssim", row.sample.ssim},
+                     {"frame_ratio", orNull(row.time)},
+                     {"triangles_at_equal_psnr_over_hiz", orNull(row.toUniform)},
+                     {"triangles_at_equal_psnr_over_frustum", orNull(row.toFrustum)}});
 }
 
 std::size_t nearestPsnr(const std::vector<Sample>& samples, double psnr) {
@@ -55,7 +54,7 @@ void requireReference(Stage& stage) {
   const scene::Camera& camera = stage.camera;
   stage.renderer.resetHistory();
   stage.renderer.render(finestOptions(/*twoPhases=*/true), camera, camera);
-  require(std::isinf(compare::psnr(stage.reference, stage.renderer.readImage())),
+  require(std::isinf(compare::psnr(stage.reference.image, stage.renderer.readImage())),
           "two-phase culling changes the picture at the finest level");
 }
 
@@ -72,7 +71,7 @@ void printHead(const LvView& view) {
 void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& figures) {
   render::FrameRenderer renderer(view.scene, kLvWidth, kLvHeight);
   Stage stage{renderer, view.camera(), {}};
-  stage.reference = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
+  stage.reference.image = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
   requireReference(stage);
   const auto sweep = [&](const LvConfiguration& configuration) {
     return stage.sweep(optionsOf(configuration, 1.0F), kTaus, configuration.name);
@@ -87,10 +86,12 @@ void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& 
   const std::size_t nearest = nearestPsnr(own, uniform[kOnePixel].psnr);
   std::vector<double> times(5, std::nan(""));  // kUniform, kFrustum, kDefault, kDefault at that tau, kThesis
   if (!allMeasures) {
-    std::vector<render::FrameOptions> timed = {optionsOf(kUniform, 1.0F), optionsOf(kFrustum, 1.0F),
-                                               optionsOf(kDefault, 1.0F), optionsOf(kDefault, kTaus[nearest])};
-    if (thesis.triangles <= kMostTriangles) timed.push_back(optionsOf(kThesis, 1.0F));
-    const std::vector<double> measured = stage.interleavedTimes(timed);
+    std::vector<Timed> timed = {{renderer, optionsOf(kUniform, 1.0F)},
+                                {renderer, optionsOf(kFrustum, 1.0F)},
+                                {renderer, optionsOf(kDefault, 1.0F)},
+                                {renderer, optionsOf(kDefault, kTaus[nearest])}};
+    if (thesis.triangles <= kMostTriangles) timed.push_back({renderer, optionsOf(kThesis, 1.0F)});
+    const std::vector<double> measured = interleavedTimes(timed, stage.camera, kRounds);
     std::copy(measured.begin(), measured.end(), times.begin());
   }
   const auto atOnePixel = [](const LvConfiguration& configuration) {
@@ -102,9 +103,8 @@ void measureWorth(const LvView& view, bool allMeasures, nlohmann::ordered_json& 
        {Row{atOnePixel(kFrustum), frustum[kOnePixel], times[1] / times[0], ratioAtEqualError(frustum, uniform, uniform),
             1.0},
         Row{atOnePixel(kUniform), uniform[kOnePixel], 1.0, 1.0, ratioAtEqualError(uniform, frustum, uniform)},
-        Row{kThesis.name, thesis, times[4] / times[0],
-            thesis.triangles / trianglesAt(uniform, &Sample::psnr, thesis.psnr),
-            thesis.triangles / trianglesAt(frustum, &Sample::psnr, thesis.psnr)},
+        Row{kThesis.name, thesis, times[4] / times[0], thesis.triangles / trianglesAt(uniform, kPsnr, thesis.psnr),
+            thesis.triangles / trianglesAt(frustum, kPsnr, thesis.psnr)},
         Row{atOnePixel(kDefault), own[kOnePixel], times[2] / times[0], toUniform, toFrustum},
         Row{fmt::format("the same, tau {}", kTaus[nearest]), own[nearest], times[3] / times[0], toUniform, toFrustum}})
     add(view, row, figures);

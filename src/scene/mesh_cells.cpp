@@ -73,7 +73,8 @@ MeshCells stored(const Mesh& mesh, std::uint32_t join) {
   for (const Primitive& primitive : mesh.primitives) {
     std::vector<std::uint32_t> ends;
     for (std::uint32_t cell = 1; cell <= result.count; ++cell)
-      ends.push_back(primitive.cellEnds[std::min<std::size_t>(std::size_t{cell} * join, primitive.cellEnds.size()) - 1]);
+      ends.push_back(
+          primitive.cellEnds[std::min<std::size_t>(std::size_t{cell} * join, primitive.cellEnds.size()) - 1]);
     result.ends.push_back(std::move(ends));
   }
   return result;

@@ -54,6 +54,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
 
 /// Test folders that share the fixtures of another one; tests/support is open to all.
 const std::map<std::string, std::string> kSharedFixtures = {
+    {"tests/bench", "bench"},          // what benchmarks compute without OpenGL
     {"tests/hostile", "tests/fuzz"},   // broken files are put through what the fuzzers call
     {"tests/scatter", "tests/asset"},  // small documents
 };

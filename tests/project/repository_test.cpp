@@ -27,13 +27,13 @@ TEST(Repository, HoldsNoFileOverOneMebibyte) {
 }
 
 TEST(Repository, ScriptsAreExecutable) {
-  for (const char* script :
-       {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh", ".ci/run"})
+  for (const char* script : {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh",
+                             "bench/bake_bench", "bench/place_models.mjs", "bench/prove", ".ci/run"})
     EXPECT_NE(fs::status(kRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
 }
 
 TEST(Repository, ScriptsExplainThemselvesAndRefuseUnknownOptions) {
-  for (const char* script : {"scripts/setup", "scripts/demo", "assets/fetch"}) {
+  for (const char* script : {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/prove"}) {
     EXPECT_EQ(test::runProgram(kRoot / script, {"--help"}).exitCode, 0) << script;
     EXPECT_EQ(test::runProgram(kRoot / script, {"--no-such-option"}).exitCode, 2) << script;
   }
@@ -51,6 +51,15 @@ TEST(Repository, UnreachableRegistryIsOneClearLine) {
   EXPECT_NE(result.exitCode, 0);
   EXPECT_NE(result.standardError.find("cannot reach the registry"), std::string::npos) << result.standardError;
   EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Repository, HelpOfTheProvingTableHasExamplesAndNamesUnseenScenes) {
+  const std::string help = test::runProgram(kRoot / "bench/prove", {"--help"}).standardOutput;
+  EXPECT_NE(help.find("Examples:\n"), std::string::npos) << help;
+  const std::size_t unseen = help.find("not used for any choice");
+  ASSERT_NE(unseen, std::string::npos) << help;
+  for (const char* scene : {"  forest ", "  landmarks ", "  house "})
+    EXPECT_NE(help.find(scene, unseen), std::string::npos) << scene;
 }
 
 }  // namespace
