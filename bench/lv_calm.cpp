@@ -162,10 +162,10 @@ void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figu
   for (const Row& row : {Row{kThesis, false},
                          {kUniform, false},
                          {kUniform, true},
+                         {kRelaxed, false},
+                         {kRelaxed, true},
                          {kDefault, false},
-                         {kDefault, true},
-                         {kPriced, false},
-                         {kPriced, true}}) {
+                         {kDefault, true}}) {
     if (calmOnly && !row.calm) continue;
     render::FrameRenderer renderer(view.scene, kLvWidth, kLvHeight);
     const Run run{renderer,

@@ -108,9 +108,9 @@ std::vector<Sample> sweepOf(const LvView& view, const scene::SceneData& largest,
   const gl::ShaderLibrary shaders = shadersOf(variant, folder.path());
   render::FrameRenderer renderer(variant.mean ? view.scene : largest, kWidth, kHeight, {.shaders = &shaders});
   Stage stage{renderer, view.camera(), reference};
-  render::FrameOptions options = optionsOf(kPriced, 1.0F);
+  render::FrameOptions options = optionsOf(kDefault, 1.0F);
   options.maxError = variant.maxError;
-  return stage.sweep(options, kPriceTaus, kPriced.name);
+  return stage.sweep(options, kPriceTaus, kDefault.name);
 }
 
 /// The sweeps of one view, against which its variants are measured.
@@ -143,7 +143,7 @@ void measureFit(const LvView& view, nlohmann::ordered_json& figures) {
     reference.image = settledImage(renderer, finestOptions(/*twoPhases=*/false), stage.camera);
     stage.reference = reference;
     fit.uniform = stage.sweep(optionsOf(kUniform, 1.0F), kTaus, kUniform.name);
-    fit.addRow(kDefault.name, stage.sweep(optionsOf(kDefault, 1.0F), kTaus, kDefault.name), std::nan(""));
+    fit.addRow(kRelaxed.name, stage.sweep(optionsOf(kRelaxed, 1.0F), kTaus, kRelaxed.name), std::nan(""));
   }
   const scene::SceneData largest = withLargestErrors(view.scene);
   for (const Variant& variant : kVariants) {

@@ -219,7 +219,7 @@ void measureMaskingCost(const LvView& view, nlohmann::ordered_json& figures) {
   const scene::Camera camera = view.camera();
   fmt::print("{}, view {}\n| configuration | triangles | frame | analysis |\n|---|---|---|---|\n", view.sceneName,
              view.text);
-  for (const LvConfiguration& configuration : {kUniform, kDefault, kPriced}) {
+  for (const LvConfiguration& configuration : {kUniform, kRelaxed, kDefault}) {
     std::vector<render::FrameOptions> both(2, optionsOf(configuration, 1.0F));
     both[1].masking = true;
     std::array<double, 2> triangles{};

@@ -43,11 +43,11 @@ struct Candidate {
   bool cells;
 };
 const Candidate kBaseline = {"pixel-error", kUniform, false};
-const Candidate kCandidates[] = {{"lv-error", kDefault, false},
-                                 {"price", kPriced, false},
+const Candidate kCandidates[] = {{"lv-error", kRelaxed, false},
+                                 {"price", kDefault, false},
                                  {"pixel-error+cells", kUniform, true},
-                                 {"lv-error+cells", kDefault, true},
-                                 {"price+cells", kPriced, true}};
+                                 {"lv-error+cells", kRelaxed, true},
+                                 {"price+cells", kDefault, true}};
 
 /// What one candidate, or the baseline, showed in one view.
 struct Measured {

@@ -15,6 +15,7 @@ namespace {
 constexpr int kSettle = 6;  // frames
 
 constexpr LvConfiguration kMeasureRows[] = {
+    {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels},
     {"hiz + lv-error, coverage", CullMode::kHiz, LodRule::kLvError, LvMeasure::kCoverage},
     {"hiz + lv-error, chord", CullMode::kHiz, LodRule::kLvError, LvMeasure::kChord},
     {"hiz + lv-error, spectral", CullMode::kHiz, LodRule::kLvError, LvMeasure::kSpectral},
@@ -28,8 +29,8 @@ constexpr LvConfiguration kMeasureRows[] = {
 
 const LvConfiguration kUniform = {"hiz + pixel-error", CullMode::kHiz, LodRule::kPixelError, LvMeasure::kNone};
 const LvConfiguration kFrustum = {"frustum + pixel-error", CullMode::kFrustum, LodRule::kPixelError, LvMeasure::kNone};
-const LvConfiguration kDefault = {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels};
-const LvConfiguration kPriced = {"hiz + price, pixels", CullMode::kHiz, LodRule::kPrice, LvMeasure::kPixels};
+const LvConfiguration kRelaxed = {"hiz + lv-error, pixels", CullMode::kHiz, LodRule::kLvError, LvMeasure::kPixels};
+const LvConfiguration kDefault = {"hiz + price, pixels", CullMode::kHiz, LodRule::kPrice, LvMeasure::kPixels};
 const LvConfiguration kThesis = {"hom + thesis", CullMode::kHom, LodRule::kLinear, LvMeasure::kThesis};
 const std::span<const LvConfiguration> kOtherMeasures = kMeasureRows;
 

@@ -27,12 +27,13 @@ struct LvConfiguration {
 /// The baselines: levels by pixel error, with two-phase culling and with frustum culling.
 extern const LvConfiguration kUniform;
 extern const LvConfiguration kFrustum;
+/// Levels by pixel error, relaxed by visibility.
+extern const LvConfiguration kRelaxed;
+/// The default: one price of a triangle for all objects.
 extern const LvConfiguration kDefault;
-/// One price of a triangle for all objects.
-extern const LvConfiguration kPriced;
 /// The method of the thesis as published.
 extern const LvConfiguration kThesis;
-/// The default's rule with every other visibility measure.
+/// The rule of kRelaxed with every visibility measure.
 extern const std::span<const LvConfiguration> kOtherMeasures;
 
 /// @param tau  pixels   @param calm  temporally stable levels

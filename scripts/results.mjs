@@ -152,7 +152,7 @@ the occluder distance, so these are our choices.
 | \`hom+lv-tessellation\` | thesis: the same occlusion map, and the level of visibility (LV) chooses the tessellation level |
 | \`hom+lv\` | the same, but LV chooses a level of a discrete LOD chain |
 | \`hiz\` | two-phase culling, levels by screen-space error |
-| \`default\` | the same, with a larger screen-space error for mostly occluded objects |
+| \`default\` | the same, with levels at one price of a triangle, and cells of objects culled one by one |
 | \`tessellation\` | the default with Phong tessellation instead of discrete levels |
 
 ## 5001 bunnies in a small cube (Fig. 4.6, 4.7)
@@ -187,7 +187,7 @@ ${timesTable('thesis-10001')}
   has no tessellation hardware and tessellates much more slowly than it draws.
 - **Levels by screen-space error need far fewer triangles than the thesis' method.** LV ignores the size on the screen. \`hiz\` draws ${percent(ratioOf(small, 'hiz', 0, 1800) / ratioOf(small, 'hom+lv-tessellation', 0, 1800))} of the
   triangles of \`hom+lv-tessellation\` over the path and ${percent(ratioOf(small, 'hiz', 1200, 1800) / ratioOf(small, 'hom+lv-tessellation', 1200, 1800))} inside. Visibility saves triangles as a factor on the screen-space error
-  ([measurements](lod_selection.md#does-it-pay)).
+  ([measurements](lod_selection.md#what-it-saves)).
 
 ## Phong tessellation against discrete levels
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "asset/cell_tree.h"
 #include "core/error.h"
@@ -65,19 +67,25 @@ MeshCells divide(const Mesh& mesh, const asset::CellTree& tree) {
   return result;
 }
 
-/// The cells of the file, `join` neighbours in their order joined to one.
-MeshCells stored(const Mesh& mesh, std::uint32_t join) {
+MeshCells stored(const Mesh& mesh) {
   MeshCells result;
-  result.count = (storedCells(mesh) + join - 1) / join;
+  result.count = storedCells(mesh);
   result.indices.resize(mesh.primitives.size());
-  for (const Primitive& primitive : mesh.primitives) {
-    std::vector<std::uint32_t> ends;
-    for (std::uint32_t cell = 1; cell <= result.count; ++cell)
-      ends.push_back(
-          primitive.cellEnds[std::min<std::size_t>(std::size_t{cell} * join, primitive.cellEnds.size()) - 1]);
-    result.ends.push_back(std::move(ends));
-  }
+  for (const Primitive& primitive : mesh.primitives)
+    result.ends.push_back(primitive.cellEnds);
   return result;
+}
+
+/// Makes one cell of each `join` neighbours in their order. A coarse level, whose triangles are spread over few of them,
+/// remains divided.
+void joinNeighbours(MeshCells& cells, std::uint64_t join) {
+  cells.count = static_cast<std::uint32_t>((cells.count + join - 1) / join);
+  for (std::vector<std::uint32_t>& ends : cells.ends) {
+    std::vector<std::uint32_t> joined;
+    for (std::uint64_t cell = 1; cell <= cells.count; ++cell)
+      joined.push_back(ends[std::min<std::uint64_t>(cell * join, ends.size()) - 1]);
+    ends = std::move(joined);
+  }
 }
 
 /// What each may have of `room` so that none gets more than it wants, and no one's wish is cut before a larger one's.
@@ -127,20 +135,21 @@ class Division {
     std::size_t chain;
     std::uint64_t cells;    ///< of one instance
     bool fromFile;          ///< the cells are those of the file, else the chain is cut
-    std::uint64_t allowed;  ///< of one instance, at most
+    std::uint64_t allowed;  ///< of one instance, at most; or kAll
   };
+  static constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
   bool automatic() const { return options_.kind == CellOptions::Kind::kAutomatic; }
   const Mesh& finest(std::size_t chain) const { return file_.meshes[file_.chains[chain].levels.front().mesh]; }
 
   Candidate candidateOf(std::size_t chain) const {
     const std::uint32_t fromFile = automatic() ? storedCells(finest(chain)) : 0;
-    if (fromFile > 0) return {chain, fromFile, true, fromFile};
+    if (fromFile > 0) return {chain, fromFile, true, kAll};
     const std::uint64_t triangles = trianglesOf(finest(chain));
     const std::uint64_t least = automatic() ? 2 : 1;
-    if (triangles <= least * options_.trianglesPerCell || sharesMeshes(chain)) return {chain, 1, false, 1};
+    if (triangles <= least * options_.trianglesPerCell || sharesMeshes(chain)) return {chain, 1, false, kAll};
     const std::uint64_t cells = (triangles + options_.trianglesPerCell - 1) / options_.trianglesPerCell;
-    return {chain, cells, false, cells};
+    return {chain, cells, false, kAll};
   }
 
   /// Sets what each chain may have; those that may not have two cells for each instance are left out, and the others
@@ -153,37 +162,39 @@ class Division {
       for (const Candidate& candidate : candidates)
         wishes.push_back(candidate.cells * instances_[candidate.chain]);
       const std::uint64_t share = fairShare(wishes, automatic() ? kMostAutomaticCells : kMostCells);
-      for (Candidate& candidate : candidates)
-        candidate.allowed = std::min(candidate.cells, share / instances_[candidate.chain]);
+      for (Candidate& candidate : candidates) {
+        const bool all = candidate.cells * instances_[candidate.chain] <= share;
+        candidate.allowed = all ? kAll : share / instances_[candidate.chain];
+      }
       if (!automatic()) return requireAll(candidates);
       std::erase_if(candidates, [&](const Candidate& candidate) {
-        const bool joins = candidate.allowed < candidate.cells;
-        return candidate.allowed < 2 || (joins && sharesMeshes(candidate.chain));
+        return candidate.allowed < 2 || (candidate.allowed != kAll && sharesMeshes(candidate.chain));
       });
     } while (candidates.size() < before);
   }
 
   void requireAll(std::span<const Candidate> candidates) const {
     for (const Candidate& candidate : candidates)
-      if (candidate.allowed < candidate.cells)
+      if (candidate.allowed != kAll)
         throw Error(ErrorCode::kLimit, fmt::format("cells of {} triangles would be more than {} in the whole scene; "
                                                    "give --cells a larger number, or auto",
                                                    options_.trianglesPerCell, kMostCells));
   }
 
   void divideChain(const Candidate& candidate) {
-    const std::uint64_t join = (candidate.cells + candidate.allowed - 1) / candidate.allowed;
-    const std::vector<asset::LodLevel>& levels = file_.chains[candidate.chain].levels;
-    if (candidate.fromFile) {
-      for (const asset::LodLevel& level : levels)
-        cells_[level.mesh] = stored(file_.meshes[level.mesh], static_cast<std::uint32_t>(join));
-      return;
+    std::optional<asset::CellTree> tree;
+    std::uint64_t count = candidate.cells;
+    if (!candidate.fromFile) {
+      tree.emplace(centroidsOf(finest(candidate.chain)), options_.trianglesPerCell);
+      count = tree->cellCount();  // a cell is at least half full
     }
-    const std::uint64_t perCell = options_.trianglesPerCell * join;
-    const asset::CellTree tree(centroidsOf(finest(candidate.chain)), static_cast<std::uint32_t>(perCell));
-    if (tree.cellCount() == 1) return;
-    for (const asset::LodLevel& level : levels)
-      cells_[level.mesh] = divide(file_.meshes[level.mesh], tree);
+    const std::uint64_t join = candidate.allowed == kAll ? 1 : (count + candidate.allowed - 1) / candidate.allowed;
+    if (count <= join) return;
+    for (const asset::LodLevel& level : file_.chains[candidate.chain].levels) {
+      const Mesh& mesh = file_.meshes[level.mesh];
+      cells_[level.mesh] = tree ? divide(mesh, *tree) : stored(mesh);
+      joinNeighbours(cells_[level.mesh], join);
+    }
   }
 
   bool sharesMeshes(std::size_t chain) const {

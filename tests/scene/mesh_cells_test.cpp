@@ -159,6 +159,20 @@ TEST(MeshCells, AutomaticJoinsNeighboursOfTheFileInEveryLevel) {
   }
 }
 
+TEST(MeshCells, JoinedCellsDivideCoarseLevelsToo) {
+  asset::SceneFile file = test::sphereChain(2);
+  file.meshes[0].primitives[0] = test::sphere(64, 33);  // 4096 triangles
+  file.meshes[1].primitives[0] = test::sphere(32, 17);  // 1024
+  test::addInstance(file, 0, glm::vec3(0.0F), glm::vec3(1.0F));
+  file.instances.resize(kMostAutomaticCells / 2, file.instances[0]);
+  for (const MeshCells& level : divideMeshes(file, {Kind::kAutomatic})) {
+    ASSERT_EQ(level.count, 2U);
+    const std::vector<std::uint32_t>& ends = level.ends.at(0);
+    EXPECT_GT(ends[0], ends[1] / 4);
+    EXPECT_LT(ends[0], ends[1] * 3 / 4);
+  }
+}
+
 TEST(MeshCells, ACrowdLeavesRoomForTheCellsOfOneLargeMesh) {
   asset::SceneFile file = test::sphereChain(1);
   file.meshes[0].primitives[0] = test::sphere(64, 33);
