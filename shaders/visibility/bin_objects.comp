@@ -4,7 +4,7 @@
 // An object in a cross-fade has a second instance at the level that fades out; the second instances of a tile follow
 // all its first ones.
 //
-// One workgroup: one tile. Reads tiles, chains, states, marks. Writes slots, entries.
+// One workgroup: one tile; JAL_TILE_PER_THREAD: one thread. Reads tiles, chains, states, marks. Writes slots, entries.
 // Barrier owed: SHADER_STORAGE for scan.comp and scatter.comp. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -19,12 +19,6 @@ layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]
 layout(std430, binding = kBindingSlots) writeonly buffer SlotBlock { uint slots[]; };
 layout(std430, binding = kBindingStates) readonly buffer StateBlock { ObjectState states[]; };
 layout(std430, binding = kBindingMarks) readonly buffer MarkBlock { uint marks[]; };
-
-shared uint binOfLane[kObjectGroupSize];
-shared uint fadingBinOfLane[kObjectGroupSize];
-shared uint countOfBin[kMaxBinsPerChain];
-shared uint members;
-shared uint fadingMembers;
 
 /// The occlusion pass has its own budget; with two phases the first one draws into the frame itself.
 bool drawsOcclusionMap() { return listView.phase == kMarkEarly && !hasTrait(kTraitTwoPhases); }
@@ -53,6 +47,32 @@ uint fadingBinOf(uint id) {
 }
 
 uint slotOf(uint bin, uint rank) { return bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin; }
+
+#ifdef JAL_TILE_PER_THREAD
+
+void main() {
+  if (threadNumber() >= listView.tileCount) return;
+  Tile tile = tiles[threadNumber()];
+  Chain chain = chains[tile.chain];
+  uint countOfBin[kMaxBinsPerChain];
+  for (uint bin = 0u; bin < chain.binCount; ++bin) countOfBin[bin] = 0u;
+  for (uint fading = 0u; fading < 2u; ++fading) {
+    for (uint id = tile.firstObject; id < tile.firstObject + tile.objectCount; ++id) {
+      uint bin = fading != 0u ? fadingBinOf(id) : binOf(id);
+      slots[2u * id + fading] = slotOf(bin, bin == kNoBin ? 0u : countOfBin[bin]++);
+    }
+  }
+  for (uint bin = 0u; bin < chain.binCount; ++bin)
+    entries[entryIndex(chain, bin, tile.tileOfChain)] = countOfBin[bin];
+}
+
+#else
+
+shared uint binOfLane[kObjectGroupSize];
+shared uint fadingBinOfLane[kObjectGroupSize];
+shared uint countOfBin[kMaxBinsPerChain];
+shared uint members;
+shared uint fadingMembers;
 
 void main() {
   if (groupNumber() >= listView.tileCount) return;
@@ -94,3 +114,4 @@ void main() {
   }
   if (lane < chain.binCount) entries[entryIndex(chain, lane, tile.tileOfChain)] = countOfBin[lane];
 }
+#endif

@@ -2,7 +2,8 @@
 // an instance behind the list's capacity becomes kNoBin, so that count_states.comp counts what is drawn.
 //
 // JAL_PER_OBJECT: the reference path writes one command per instance as well, in the same order.
-// One workgroup: one tile. Reads tiles, chains, slots, entries, blockSums. Writes instances, slots (and commands).
+// One workgroup: one tile; JAL_TILE_PER_THREAD: one thread. Reads tiles, chains, slots, entries, blockSums. Writes
+// instances, slots (and commands).
 // Barrier owed: VERTEX_ATTRIB_ARRAY, SHADER_STORAGE, COMMAND. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -40,11 +41,19 @@ void place(Tile tile, uint number, uint entry) {
 #endif
 }
 
-void main() {
-  if (groupNumber() >= listView.tileCount) return;
-  Tile tile = tiles[groupNumber()];
-  if (gl_LocalInvocationID.x >= tile.objectCount) return;
-  uint id = tile.firstObject + gl_LocalInvocationID.x;
+void placeBoth(Tile tile, uint id) {
   place(tile, 2u * id, slots[2u * id + 1u] == kNoBin ? id : id | kInstanceFadingIn);
   place(tile, 2u * id + 1u, id | kInstanceFadingOut);
+}
+
+void main() {
+#ifdef JAL_TILE_PER_THREAD
+  if (threadNumber() >= listView.tileCount) return;
+  Tile tile = tiles[threadNumber()];
+  for (uint k = 0u; k < tile.objectCount; ++k) placeBoth(tile, tile.firstObject + k);
+#else
+  if (groupNumber() >= listView.tileCount) return;
+  Tile tile = tiles[groupNumber()];
+  if (gl_LocalInvocationID.x < tile.objectCount) placeBoth(tile, tile.firstObject + gl_LocalInvocationID.x);
+#endif
 }

@@ -1,8 +1,10 @@
-// Writes the instanced commands of a draw list: one per bin that has instances and triangles, compacted, followed by
-// empty ones for drivers that cannot read the number of draws from a buffer.
+// Writes the instanced commands of a draw list: one per bin that has instances and triangles, compacted. What follows
+// them is empty, for drivers that cannot read the number of draws from a buffer: the buffer begins with zeros, and
+// commands of the frame before that are not overwritten are cleared.
 //
 // JAL_PER_OBJECT: the commands exist already; only the counts are written.
-// One workgroup for all bins. Reads bins, chains, lods, entries, blockSums. Writes commands, drawCounts.
+// One workgroup for all bins. Reads bins, chains, lods, entries, blockSums, and drawCounts of the frame before. Writes
+// commands, drawCounts.
 // Barrier owed: COMMAND, and BUFFER_UPDATE for the statistics. CPU twin: src/visibility/draw_lists_reference.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -14,7 +16,7 @@
 
 layout(local_size_x = kScanGroupSize) in;
 layout(std430, binding = kBindingBins) readonly buffer BinBlock { Bin bins[]; };
-layout(std430, binding = kBindingDrawCounts) writeonly buffer DrawCountBlock { uint drawCounts[]; };
+layout(std430, binding = kBindingDrawCounts) buffer DrawCountBlock { uint drawCounts[]; };
 
 uint keptInstances() { return min(totalInstances(), listView.capacity); }
 
@@ -84,12 +86,17 @@ void writeCommands(BinDraw draw, uvec2 place, uint written[kListCount]) {
   }
 }
 
-void writeEmptyCommands(uint lane, uint written[kListCount]) {
-  uint lists = listView.patches != 0u ? kListCount : kListsPerDetail;
-  for (uint list = 0u; list < lists; ++list) {
-    for (uint i = written[list] + lane; i < listView.commandCapacity; i += kScanGroupSize)
+void clearOldCommands(uint lane, uint written[kListCount]) {
+  for (uint list = 0u; list < kListCount; ++list) {
+    for (uint i = written[list] + lane; i < drawCounts[list]; i += kScanGroupSize)
       commands[list * listView.commandCapacity + i] = DrawCommand(0u, 0u, 0u, 0, 0u);
   }
+}
+
+/// Instances in front of a bin. Bins and their entries have the same order. @param index  may lie behind the last one
+uint instancesBefore(uint index) {
+  if (index >= listView.binCount) return totalInstances();
+  return offsetOf(entryIndex(chains[bins[index].chain], bins[index].bin, 0u));
 }
 
 void main() {
@@ -97,6 +104,7 @@ void main() {
   uint written[kListCount];
   for (uint list = 0u; list < kListCount; ++list) written[list] = 0u;
   for (uint start = 0u; start < listView.binCount; start += kScanGroupSize) {
+    if (instancesBefore(start) == instancesBefore(start + kScanGroupSize)) continue;  // the same in all lanes
     BinDraw draw = binDrawOf(start + lane);
     addUpLanes(lane, draw.flags);
     writeCommands(draw, sums[lane] - draw.flags, written);
@@ -104,7 +112,8 @@ void main() {
     for (uint list = 0u; list < kListCount; ++list) written[list] += countIn(total, list);
     barrier();
   }
-  writeEmptyCommands(lane, written);
+  clearOldCommands(lane, written);
+  barrier();
   if (lane == 0u) {
     for (uint list = 0u; list < kListCount; ++list) drawCounts[list] = written[list];
     drawCounts[kCountInstances] = keptInstances();

@@ -46,7 +46,8 @@ constexpr Set kSets[] = {
     {"standard", "frustum,hiz,default", "the default and its two baselines"},
     {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "the methods of Kristmann 2022, Fig. 4.6 to 4.10"},
     {"ab", "discrete,tessellation", "LOD chain and Phong tessellation with the same error budget"},
-    {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-lv-error,default,calm,hom+lv,tessellation", "one configuration of each kind"},
+    {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-lv-error,default,calm,hom+lv,tessellation",
+     "one configuration of each kind"},
 };
 
 constexpr std::uint64_t kMaxFileBytes = 1U << 20U;

@@ -76,8 +76,8 @@ MeshCells stored(const Mesh& mesh) {
   return result;
 }
 
-/// Makes one cell of each `join` neighbours in their order. A coarse level, whose triangles are spread over few of them,
-/// remains divided.
+/// Makes one cell of each `join` neighbours in their order. A coarse level, whose triangles are spread over few of
+/// them, remains divided.
 void joinNeighbours(MeshCells& cells, std::uint64_t join) {
   cells.count = static_cast<std::uint32_t>((cells.count + join - 1) / join);
   for (std::vector<std::uint32_t>& ends : cells.ends) {

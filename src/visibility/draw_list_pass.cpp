@@ -11,6 +11,15 @@
 namespace jalousie::visibility {
 namespace {
 
+constexpr std::size_t kFewObjects = 16;
+
+/// Whether one thread handles a whole tile. Where tiles have few objects, most threads of a workgroup would be idle; of
+/// cells, most are culled.
+bool givesTilesToThreads(const scene::SceneData& scene) {
+  const scene::DrawTables& drawn = scene.drawn();
+  return !scene.cells.objects.empty() || kFewObjects * drawn.binLayout.tiles.size() > drawn.objects.size();
+}
+
 static_assert(gpu::kMaxBinsPerChain == 2 * gpu::kMaxLods && gpu::kMaxBinsPerChain <= gpu::kObjectGroupSize,
               "one thread of a tile writes each bin's count");
 static_assert(gpu::kScanBlock == gpu::kScanGroupSize * gpu::kScanEntriesPerThread);
@@ -46,12 +55,15 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
 
 DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
     : tileCount_(static_cast<std::uint32_t>(scene.drawn().binLayout.tiles.size())),
+      tilePerThread_(givesTilesToThreads(scene)),
       blockCount_((scene.drawn().binLayout.entryCount + gpu::kScanBlock - 1) / gpu::kScanBlock),
-      binProgram_(programSource(ProgramId::kBinObjects), shaders),
+      binProgram_(programSource(tilePerThread_ ? ProgramId::kBinObjectsPerThread : ProgramId::kBinObjects), shaders),
       scanEntriesProgram_(programSource(ProgramId::kScanEntries), shaders),
       scanSumsProgram_(programSource(ProgramId::kScanSums), shaders),
-      scatterProgram_(programSource(ProgramId::kScatter), shaders),
-      scatterPerObjectProgram_(programSource(ProgramId::kScatterPerObject), shaders),
+      scatterProgram_(programSource(tilePerThread_ ? ProgramId::kScatterPerThread : ProgramId::kScatter), shaders),
+      scatterPerObjectProgram_(
+          programSource(tilePerThread_ ? ProgramId::kScatterPerObjectAndThread : ProgramId::kScatterPerObject),
+          shaders),
       writeCommandsProgram_(programSource(ProgramId::kWriteCommands), shaders),
       writeCountsProgram_(programSource(ProgramId::kWriteCounts), shaders),
       tiles_(gl::Buffer::fromArray(std::span<const gpu::Tile>(scene.drawn().binLayout.tiles), "tiles")),
@@ -82,14 +94,16 @@ void DrawListPass::build(DrawList& list, const SceneBindings& scene, const Objec
     dispatchGroups(groups);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   };
-  run(binProgram_, tileCount_);
+  const std::uint32_t groups =
+      tilePerThread_ ? (tileCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize : tileCount_;
+  run(binProgram_, groups);
   blockSums_.bindStorage(gpu::kBindingBlockSums);
   run(scanEntriesProgram_, blockCount_);
   run(scanSumsProgram_, 1);
   list.instances_.bindStorage(gpu::kBindingInstances);
   list.commands_.bindStorage(gpu::kBindingCommands);
   if (perObject) list.commands_.clear();
-  run(perObject ? scatterPerObjectProgram_ : scatterProgram_, tileCount_);
+  run(perObject ? scatterPerObjectProgram_ : scatterProgram_, groups);
   bins_.bindStorage(gpu::kBindingBins);
   list.drawCounts_.bindStorage(gpu::kBindingDrawCounts);
   run(perObject ? writeCountsProgram_ : writeCommandsProgram_, 1);

@@ -58,6 +58,7 @@ class DrawListPass {
   void bind(const DrawList& list, const SceneBindings& tables, const ObjectBuffers& objects) const;
 
   std::uint32_t tileCount_;
+  bool tilePerThread_;
   std::uint32_t blockCount_;
   gl::Program binProgram_;
   gl::Program scanEntriesProgram_;

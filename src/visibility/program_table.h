@@ -18,10 +18,13 @@ enum class ProgramId : unsigned {
   kReduceDepth,
   kReduceDepthMinMax,  ///< needs Capabilities::minMaxFilter
   kBinObjects,
+  kBinObjectsPerThread,  ///< one thread for each tile
   kScanEntries,
   kScanSums,
   kScatter,
+  kScatterPerThread,
   kScatterPerObject,
+  kScatterPerObjectAndThread,
   kWriteCommands,
   kWriteCounts,
   kCountStates,

@@ -120,7 +120,7 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
   EXPECT_EQ(stats["objects"], 9);
   EXPECT_EQ(stats["drawn"], 9);
   EXPECT_EQ(stats["triangles_full"], 9 * 2 * 16 * 7);
-  EXPECT_EQ(stats["lod"], "lv-error");
+  EXPECT_EQ(stats["lod"], "price");
   EXPECT_EQ(stats["lv"], "pixels");
   EXPECT_EQ(stats["tau"], 1.0);
   EXPECT_FALSE(stats.contains("masking"));

@@ -70,11 +70,14 @@ class DrawListGl : public test::GlTest {
     pass.setView(view);
     objects.states.write(0, std::as_bytes(std::span(input.states)));
     objects.boxes.write(0, std::as_bytes(std::span(input.boxes)));
-    objects.marks.write(0, std::as_bytes(std::span(input.marks)));
     DrawListPass lists(scene);
     DrawList list(scene, phase, options);
-    for (int repeat = 0; repeat < 2; ++repeat)  // the second run starts from the first one's leftovers
+    // The second run starts from the leftovers of a frame that draws everything.
+    const std::vector<gpu::uint> all(input.marks.size(), gpu::kMarkEarly | gpu::kMarkLate);
+    for (const std::vector<gpu::uint>& marks : {all, input.marks}) {
+      objects.marks.write(0, std::as_bytes(std::span(marks)));
       lists.build(list, buffers.bindings(), pass.decided());
+    }
     const DrawLists expected = buildDrawLists(scene, view, {input.states, input.boxes, input.marks}, phase, options);
     const auto instances = list.instances().read<gpu::uint>(expected.instances.size());
     EXPECT_EQ(instances, expected.instances);
@@ -144,12 +147,21 @@ TEST_F(DrawListGl, ManyChainsNeedSeveralRoundsOfCommands) {
   asset::SceneFile file = test::sphereChain(4);
   for (std::uint32_t c = 1; c < 150; ++c)
     file.chains.push_back({"copy", file.chains[0].levels});
-  for (std::uint32_t i = 0; i < 3000; ++i)
-    test::addInstance(file, (i * 7919U) % 150, {0, 0, 0}, {i % 5 == 0 ? -1.0F : 1.0F, 1, 1});
-  const SceneData scene = scene::buildScene(file);
-  EXPECT_GT(scene.binLayout.bins.size(), 4 * gpu::kScanGroupSize);
-  const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz});
-  compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, 3000, false}, randomInput(scene, 20, 6));
+  for (const std::uint32_t instances :
+       {450U, 3000U}) {  // 3 and 20 objects in a tile: a thread and a workgroup for each
+    file.instances.clear();
+    for (std::uint32_t i = 0; i < instances; ++i)
+      test::addInstance(file, (i * 7919U) % 150, {0, 0, 0}, {i % 5 == 0 ? -1.0F : 1.0F, 1, 1});
+    const SceneData scene = scene::buildScene(file);
+    EXPECT_GT(scene.binLayout.bins.size(), 4 * gpu::kScanGroupSize);
+    const gpu::CullView view = makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kHiz});
+    Input input = randomInput(scene, 20, 6);
+    for (const Submission submission : {Submission::kInstanced, Submission::kPerObject})
+      compare(scene, view, gpu::kMarkLate, {submission, instances, false}, input);
+    for (std::size_t i = 0; i < input.marks.size(); ++i)
+      if (i % 97 != 5) input.marks[i] = 0;  // most rounds have nothing to draw
+    compare(scene, view, gpu::kMarkLate, {Submission::kInstanced, instances, false}, input);
+  }
 }
 
 }  // namespace
