@@ -159,6 +159,7 @@ class Division {
     do {
       before = candidates.size();
       std::vector<std::uint64_t> wishes;
+      wishes.reserve(before);
       for (const Candidate& candidate : candidates)
         wishes.push_back(candidate.cells * instances_[candidate.chain]);
       const std::uint64_t share = fairShare(wishes, automatic() ? kMostAutomaticCells : kMostCells);
@@ -174,11 +175,12 @@ class Division {
   }
 
   void requireAll(std::span<const Candidate> candidates) const {
-    for (const Candidate& candidate : candidates)
+    for (const Candidate& candidate : candidates) {
       if (candidate.allowed != kAll)
         throw Error(ErrorCode::kLimit, fmt::format("cells of {} triangles would be more than {} in the whole scene; "
                                                    "give --cells a larger number, or auto",
                                                    options_.trianglesPerCell, kMostCells));
+    }
   }
 
   void divideChain(const Candidate& candidate) {
