@@ -53,8 +53,12 @@ scene::Camera LvView::camera() const {
   glm::vec3 look;
   if (std::sscanf(text.c_str(), "%f,%f,%f:%f,%f,%f", &eye.x, &eye.y, &eye.z, &look.x, &look.y, &look.z) == 6)
     return scene::lookAt(eye, look, scene.boundsWorld);
+  char* end = nullptr;
+  const float frame = std::strtof(text.c_str(), &end);
+  if (end == text.c_str() || *end != '\0')
+    throw Error(ErrorCode::kUsage, "a view is a frame or EYE:LOOK as X,Y,Z:X,Y,Z", text);
   if (scene.cameras.empty()) throw Error(ErrorCode::kUsage, "the scene has no camera path; give EYE:LOOK", text);
-  return scene::cameraAtFrame(scene.cameras.front(), std::strtof(text.c_str(), nullptr));
+  return scene::cameraAtFrame(scene.cameras.front(), frame);
 }
 
 nlohmann::ordered_json orNull(double value) {

@@ -63,6 +63,8 @@ void render(const RenderOptions& options) {
     printError(fmt::format("jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing",
                            oneLine(options.scene.string()), report.statistics.dropped,
                            options.rendererOptions.capacity.value_or(0)));
+  if (!options.quiet)
+    warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics.triangles);
   const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
   if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);

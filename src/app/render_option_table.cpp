@@ -147,8 +147,8 @@ std::vector<RenderOption> cullingRows() {
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
-       "same. auto = the cells of the file, else cells of 256 triangles for large objects; joined to larger ones where "
-       "a scene had more than 65,536",
+       "same. auto = the cells of the file, else cells of 256 triangles for large objects; auto joins them "
+       "where a scene had more than 65,536. Surfaces that lie in one plane can swap pixels",
        OptionGroup::kCulling, ChoiceValue{cellsText, setCells, {"auto", "off", "64", "128", "256", "512", "1024"}},
        "--detail discrete", [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},
       {"--importance", "importance mask", "",
@@ -176,9 +176,10 @@ std::vector<RenderOption> levelRows() {
   return {
       {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
        choice<LodRule, lodRuleTable, lodRuleOf>()},
-      {"--tau", "error budget", "pixels", "Allow this screen-space error", OptionGroup::kDetail,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F}, rulesWithError(),
-       followsError},
+      {"--tau", "error budget", "pixels",
+       "Allow this screen-space error. With --lod price a scale of quality: the price of a triangle grows with its square",
+       OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F},
+       rulesWithError(), followsError},
       {"--lv", "visibility measure", "",
        "Choose the measure of LV (level of visibility). " + policy::helpOf(lvMeasureTable()) + defaultMeasures(),
        OptionGroup::kDetail, measureChoice(),
@@ -191,21 +192,22 @@ std::vector<RenderOption> levelRows() {
        "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
       {"--triangles", "triangle budget", "triangles",
        "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
-       "allow; 0 turns this off and leaves the price to --tau",
+       "allow. A view at rest needs 10 to 30 frames (--settle), with --calm more; frames in which many objects appear can "
+       "have several times as many. 0 turns this off and leaves the price to --tau",
        OptionGroup::kDetail,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
        [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
       {"--max-error", "largest deviation", "pixels",
-       "Limit what any point of an object may deviate by where --lod price chooses by mean errors; an object without a "
-       "visible pixel is not limited unless --calm is given; 0 turns this off",
+       "Draw no level whose largest deviation is more than this, although its mean error is small. Objects of which no "
+       "pixel was visible have no limit, unless --calm is given; 0 turns the limit off",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.maxError; }, 0.0F, 1000.0F},
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
        [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
       {"--masking", "masking", "",
        "Let the error of a partly covered object count (64 / d)^0.3 times less, at most 3.5 times; d is the mean open "
-       "chord in front of it in pixels. Behind small holes SSIM and Butteraugli tolerate more error than behind a "
-       "window, but mostly less than this factor; FLIP tolerates less than behind a window",
+       "chord in front of it in pixels. Off by default: SSIM and Butteraugli tolerate more error behind small holes than "
+       "behind a window, but mostly less than this factor; FLIP tolerates less",
        OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.masking; }},
        rulesWithError() + ", with --mode " + policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion) +
            " and without --lv " + policy::namesWith(lvMeasureTable(), &LvMeasureRow::measuresHoles),

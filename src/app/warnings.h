@@ -1,6 +1,7 @@
 // Warnings that several subcommands give, each one line on standard error.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "gl/capabilities.h"
@@ -13,5 +14,8 @@ void warnUnmeasuredLevels(const std::filesystem::path& file);
 /// Warns if the renderer cannot draw the level asked for. @param scene  with patches
 void warnTessellationLimit(const std::filesystem::path& file, const scene::SceneData& scene,
                            const gl::Capabilities& capabilities, gpu::uint wanted);
+
+/// Warns if a frame has missed its budget of triangles by more than 5 %. @param budget  0: there is none
+void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn);
 
 }  // namespace jalousie::app
