@@ -192,8 +192,8 @@ std::vector<RenderOption> levelRows() {
        "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
       {"--triangles", "triangle budget", "triangles",
        "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
-       "allow. A view at rest needs 10 to 30 frames (--settle), with --calm more; frames in which many objects appear can "
-       "have several times as many. 0 turns this off and leaves the price to --tau",
+       "allow. A view at rest needs 10 to 30 frames (--settle), with --calm more; frames in which many objects appear "
+       "can have several times as many. 0 turns this off and leaves the price to --tau",
        OptionGroup::kDetail,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
@@ -206,8 +206,8 @@ std::vector<RenderOption> levelRows() {
        [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
       {"--masking", "masking", "",
        "Let the error of a partly covered object count (64 / d)^0.3 times less, at most 3.5 times; d is the mean open "
-       "chord in front of it in pixels. Off by default: SSIM and Butteraugli tolerate more error behind small holes than "
-       "behind a window, but mostly less than this factor; FLIP tolerates less",
+       "chord in front of it in pixels. Off by default: SSIM and Butteraugli tolerate more error behind small holes "
+       "than behind a window, but mostly less than this factor; FLIP tolerates less",
        OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.masking; }},
        rulesWithError() + ", with --mode " + policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion) +
            " and without --lv " + policy::namesWith(lvMeasureTable(), &LvMeasureRow::measuresHoles),
