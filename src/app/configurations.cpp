@@ -129,7 +129,7 @@ std::string describeConfigurations() {
     text += fmt::format("  {:<21} {}\n", b.name, *b.options == '\0' ? "(the defaults)" : b.options);
   text += "Sets:\n";
   for (const Set& set : kSets)
-    text += fmt::format("  {:<21} {}: {}\n", set.name, set.description, set.members);
+    text += fmt::format("  {:<21} {}: {}\n", set.name, set.description, fmt::join(split(set.members, ','), ", "));
   return text;
 }
 

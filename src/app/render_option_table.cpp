@@ -177,7 +177,8 @@ std::vector<RenderOption> levelRows() {
       {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
        choice<LodRule, lodRuleTable, lodRuleOf>()},
       {"--tau", "error budget", "pixels",
-       "Allow this screen-space error. With --lod price a scale of quality: the price of a triangle grows with its square",
+       "Allow this screen-space error. With --lod price it is a scale of quality: the price of a triangle grows with "
+       "its square",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F},
        rulesWithError(), followsError},
       {"--lv", "visibility measure", "",
