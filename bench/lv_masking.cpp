@@ -77,11 +77,12 @@ std::vector<Level> levelsOf(const LvView& view, render::FrameRenderer& renderer,
     levels.push_back({error, settledImage(renderer, optionsOf(exact, static_cast<float>(error * 1.0001)), camera)});
     require(renderer.readObject(0).state.lod == k, fmt::format("level {} was not drawn at its own error", k));
   }
-  if (levels.size() < 3)
+  if (levels.size() < 3) {
     throw Error(ErrorCode::kUsage,
                 fmt::format("the object has {} levels with an error of {} to {} pixels in this view; 3 are needed",
                             levels.size(), kLeastError, kMostError),
                 view.text);
+  }
   return levels;
 }
 

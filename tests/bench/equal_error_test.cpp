@@ -49,6 +49,7 @@ TEST(EqualError, NoInterpolationReachesAnInfinitePsnr) {
 TEST(EqualError, RatioIsThatOfTheTrianglesForEveryMeasure) {
   // Seven samples, as a sweep over kTaus has.
   std::vector<Sample> base;
+  base.reserve(7);
   for (int i = 0; i < 7; ++i)
     base.push_back({100.0 * std::pow(2.0, i), 20.0 + i, 0.8 + 0.02 * i, 0.3 - 0.04 * i});
   for (const ErrorMeasure& measure : {kPsnr, kSsim, kFlip}) {

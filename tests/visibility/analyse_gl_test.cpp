@@ -39,6 +39,7 @@ std::vector<gpu::ScreenBox> adversarialBoxes(ScreenSize size, std::size_t count,
                        std::min(height, y0 + random.uniform() * scale * height));
   }
   std::vector<gpu::ScreenBox> boxes;
+  boxes.reserve(rects.size());
   for (const glm::vec4& rect : rects)
     boxes.push_back(
         {rect.x, rect.y, rect.z, rect.w, random.below(9) == 0 ? 0.1F : random.uniform(0.05F, 0.7F), 1.0F, 1.0F, 0});

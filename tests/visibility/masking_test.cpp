@@ -52,6 +52,7 @@ TEST(Masking, CoverHoldsShareAndChordInPixels) {
   // Columns of one texel, every other one open: along rows all neighbours differ, along columns none do. With 240 of
   // 480 pairs, the chord is 2 * 0.5 * 480 / 240 = 2 texels.
   std::vector<float> stripes;
+  stripes.reserve(256);
   for (int i = 0; i < 256; ++i)
     stripes.push_back(i % 2 == 0 ? 1.0F : 0.0F);
   const glm::vec2 cover = glm::unpackHalf2x16(packedCover({16, 16, stripes}, 4.0F));
@@ -65,6 +66,7 @@ TEST(Masking, HolesBelowATexelOfTheBlockDoNotMask) {
   // An occlusion map holds means: behind a fine sieve all texels are equal, and nothing says how large the holes are.
   EXPECT_EQ(maskingFactor(packedCover({16, 16, std::vector<float>(256, 0.75F)}, 4.0F)), 1.0F);
   std::vector<float> checkerboard;
+  checkerboard.reserve(256);
   for (int i = 0; i < 256; ++i)
     checkerboard.push_back(static_cast<float>((i + i / 16) % 2));
   EXPECT_NEAR(maskingFactor(packedCover({16, 16, checkerboard}, 4.0F)), 2.2973967F, 1e-3F) << "(64 / 4)^0.3";
