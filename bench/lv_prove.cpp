@@ -229,7 +229,7 @@ class ViewProof {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < samples.size(); ++i)
       all.push_back(
-          {kTaus[i], samples[i].triangles, orNull(samples[i].psnr), samples[i].ssim, orNull(samples[i].flip)});
+          {kSweepTaus[i], samples[i].triangles, orNull(samples[i].psnr), samples[i].ssim, orNull(samples[i].flip)});
     return all;
   }
 
