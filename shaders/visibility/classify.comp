@@ -106,8 +106,9 @@ bool waitsForBlock(History history, uint verdict, bool early) {
 }
 
 /// The cover that masks the errors of an object that does not wait for its block: the last one measured.
-uint coverBeforeTest(History history, uint verdict, uint last) {
-  return hasTrait(kTraitMasksError) && history.known && isTestedLater(verdict) ? last : kCoverOpen;
+uint coverBeforeTest(History history, uint verdict, uint id) {
+  if (hasTrait(kTraitMasksError) && history.known && isTestedLater(verdict)) return boxes[id].cover;
+  return kCoverOpen;
 }
 
 /// @param rect  pixels, clipped; 0 if there is no rectangle
@@ -142,7 +143,7 @@ void main() {
   History history = historyOf(id);
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
               marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
-  screen.cover = coverBeforeTest(history, verdict, boxes[id].cover);
+  screen.cover = coverBeforeTest(history, verdict, id);
   vec2 size = hasRect ? rect.zw - rect.xy : viewport;
   float area = size.x * size.y;
   float lv = lvBeforeTest(history, verdict, area);

@@ -195,7 +195,7 @@ class Division {
     for (const asset::LodLevel& level : file_.chains[candidate.chain].levels) {
       const Mesh& mesh = file_.meshes[level.mesh];
       cells_[level.mesh] = tree ? divide(mesh, *tree) : stored(mesh);
-      joinNeighbours(cells_[level.mesh], join);
+      if (join > 1) joinNeighbours(cells_[level.mesh], join);
     }
   }
 

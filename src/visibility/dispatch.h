@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "gl/handle.h"
+#include "shared/limits.h"
 
 namespace jalousie::visibility {
 
@@ -14,6 +15,11 @@ inline void dispatchGroups(std::uint32_t groups) {
   constexpr std::uint32_t kWidest = 65535;
   const std::uint32_t width = std::min(groups, kWidest);
   if (groups > 0) glDispatchCompute(width, (groups - 1) / width + 1, 1);
+}
+
+/// Workgroups of a kernel with one thread for each object (shaders/lib/groups.glsl, threadNumber).
+inline std::uint32_t objectGroups(std::uint32_t threads) {
+  return (threads + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize;
 }
 
 }  // namespace jalousie::visibility

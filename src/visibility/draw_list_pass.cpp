@@ -11,7 +11,7 @@
 namespace jalousie::visibility {
 namespace {
 
-constexpr std::size_t kFewObjects = 16;
+constexpr std::size_t kFewObjects = 16;  // in a tile, on average
 
 /// Whether one thread handles a whole tile. Where tiles have few objects, most threads of a workgroup would be idle; of
 /// cells, most are culled.
@@ -94,8 +94,7 @@ void DrawListPass::build(DrawList& list, const SceneBindings& scene, const Objec
     dispatchGroups(groups);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   };
-  const std::uint32_t groups =
-      tilePerThread_ ? (tileCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize : tileCount_;
+  const std::uint32_t groups = tilePerThread_ ? objectGroups(tileCount_) : tileCount_;
   run(binProgram_, groups);
   blockSums_.bindStorage(gpu::kBindingBlockSums);
   run(scanEntriesProgram_, blockCount_);

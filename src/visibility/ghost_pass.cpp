@@ -25,7 +25,7 @@ void GhostPass::build(DrawListPass& lists, const SceneBindings& scene, const Obj
   frame.drawn().marks->bindStorage(gpu::kBindingMarks);
   states_.bindStorage(gpu::kBindingGhostStates);
   marks_.bindStorage(gpu::kBindingGhostMarks);
-  dispatchGroups((objectCount_ + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  dispatchGroups(objectGroups(objectCount_));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   lists.build(list_, scene, {frame.view, &states_, frame.boxes, &marks_});
 }

@@ -76,7 +76,7 @@ void StatisticsPass::count(const SceneBindings& scene, const ObjectBuffers& deci
   decided.marks->bindStorage(gpu::kBindingMarks);
   (early != nullptr ? *early : late).slots().bindStorage(gpu::kBindingEarlySlots);
   late.slots().bindStorage(gpu::kBindingLateSlots);
-  dispatchGroups((view.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  dispatchGroups(objectGroups(view.objectCount));
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -91,7 +91,7 @@ void StatisticsPass::countCells(const SceneBindings& scene, const ObjectBuffers&
   decided.cellMarks->bindStorage(gpu::kBindingMarks);
   list.slots().bindStorage(gpu::kBindingSlotsOfList);
   decided.marks->bindStorage(gpu::kBindingObjectMarks);
-  dispatchGroups((view.cellCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  dispatchGroups(objectGroups(view.cellCount));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -121,7 +121,7 @@ void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindin
   objects_.marks.bindStorage(gpu::kBindingMarks);
   objects_.cellStates.bindStorage(gpu::kBindingCellStates);
   objects_.cellMarks.bindStorage(gpu::kBindingCellMarks);
-  dispatchGroups((objects_.cellCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  dispatchGroups(objectGroups(objects_.cellCount));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -137,7 +137,7 @@ void VisibilityPass::dispatch(const gl::Program& program, const SceneBindings& s
   objects_.states.bindStorage(gpu::kBindingStates);
   objects_.boxes.bindStorage(gpu::kBindingBoxes);
   objects_.marks.bindStorage(gpu::kBindingMarks);
-  dispatchGroups((objects_.objectCount + gpu::kObjectGroupSize - 1) / gpu::kObjectGroupSize);
+  dispatchGroups(objectGroups(objects_.objectCount));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -71,7 +70,7 @@ json readJson(const fs::path& file) {
 class PlaceModels : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("node --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "Node.js is not installed";
+    if (!test::findProgram("node")) GTEST_SKIP() << "Node.js is not installed";
     writeModel(folder_.path() / "model.glb");
   }
   test::ProgramResult place(std::vector<std::string> arguments) {
