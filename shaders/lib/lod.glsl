@@ -150,7 +150,7 @@ struct DetailInput {
   Chain chain;
   float pixelsPerUnit;  // as ScreenBox
   float tau;            // as ScreenBox
-  float area;           // of the bounding rectangle, pixels; of the screen if there is no rectangle
+  float area;           // of the bounding rectangle, pixels; of the screen across the near plane; 0 out of view
   bool seen;            // a pixel of the last frame showed the object, or no count says
   ObjectState last;     // of the last frame, where the marks have kMarkKnown or kMarkRemembered
   uint cover;           // as ScreenBox; with kTraitMasksError it masks errors
@@ -168,20 +168,29 @@ struct Budget {
 
 /// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
 /// over all directions (Cauchy), and less where parts of it hide others.
-bool isThin(DetailInput object) {
+bool isThin(DetailInput object, float area) {
   float surfacePixels = object.chain.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
-  return 0.25 * surfacePixels < kThinShare * object.area;
+  return 0.25 * surfacePixels < kThinShare * area;
+}
+
+/// Area that stays when an object turns, or comes into view at the border of the screen: that of its rectangle or, if
+/// larger, the mean silhouette of its box (a quarter of the surface), at most the screen.
+float steadyArea(DetailInput object) {
+  vec3 size = (object.chain.boundsMaxObject.xyz - object.chain.boundsMinObject.xyz) * object.pixelsPerUnit;
+  float silhouette = 0.5 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return max(object.area, min(silhouette, float(cullView.viewportWidth) * float(cullView.viewportHeight)));
 }
 
 Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
   float relaxed = hasTrait(kTraitFollowsLv) ? relaxedBudget(lv, cullView.relax) : 1.0;
-  Budget budget = Budget(object.tau, relaxed, visibleShare(lv), visiblePixels(lv, object.area), cullView.maxError,
+  float area = calm ? steadyArea(object) : object.area;
+  Budget budget = Budget(object.tau, relaxed, visibleShare(lv), visiblePixels(lv, area), cullView.maxError,
                          maskingInUse(object.cover));
-  if (isThin(object)) budget.maxError = min(budget.maxError, object.tau * budget.masking);
+  if (isThin(object, area)) budget.maxError = min(budget.maxError, object.tau * budget.masking);
   if (calm) {
     budget.relaxed = min(budget.relaxed, kMostCalmRelaxed / budget.masking);
     budget.share = max(budget.share, kLeastCalmShare);
-    budget.pixels = max(budget.pixels, kLeastCalmVisible * kSilhouetteShare * object.area);
+    budget.pixels = max(budget.pixels, kLeastCalmVisible * kSilhouetteShare * area);
   } else if (counted && !object.seen) {
     budget.maxError = uintBitsToFloat(0x7f800000u);  // no pixel shows it
   }

@@ -81,7 +81,7 @@ uint marksOf(History history) {
 /// Whether analyse.comp will test the object.
 bool isTestedLater(uint verdict) { return verdict == kVerdictPending && hasTrait(kTraitTestsOcclusion); }
 
-/// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
+/// LV from what is known before this frame's test. @param area  as DetailInput
 float lvBeforeTest(History history, uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0;
   if (history.counted) {
@@ -144,7 +144,7 @@ void main() {
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
               marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
   screen.cover = coverBeforeTest(history, verdict, id);
-  vec2 size = hasRect ? rect.zw - rect.xy : viewport;
+  vec2 size = box.crossesNear && !box.outside ? viewport : rect.zw - rect.xy;
   float area = size.x * size.y;
   float lv = lvBeforeTest(history, verdict, area);
   ObjectState state = ObjectState(verdict, 0u, cullView.maxTessellation, lv);

@@ -75,7 +75,7 @@ bool isTestedLater(const gpu::CullView& view, gpu::uint verdict) {
   return verdict == gpu::kVerdictPending && has(view.traits, gpu::kTraitTestsOcclusion);
 }
 
-/// LV from what is known before this frame's test. @param area  of the rectangle, pixels; of the screen without one
+/// LV from what is known before this frame's test. @param area  as DetailInput
 float lvBeforeTest(const gpu::CullView& view, const History& history, gpu::uint verdict, float area) {
   if (!history.known && !history.remembered) return -1.0F;
   if (history.counted) {
@@ -230,7 +230,7 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history) |
                  mapLodMark(scene, view, chain, result.box.pixelsPerUnit);
   result.box.cover = coverBeforeTest(view, history, verdict, last.cover);
-  const glm::vec2 size = hasRect ? glm::vec2(rect.z - rect.x, rect.w - rect.y) : viewport;
+  const glm::vec2 size = box.crossesNear && !box.outside ? viewport : glm::vec2(rect.z - rect.x, rect.w - rect.y);
   const float lv = lvBeforeTest(view, history, verdict, size.x * size.y);
   result.state = {verdict, 0, view.maxTessellation, lv};
   if (waitsForBlock(view, history, verdict, (result.marks & gpu::kMarkEarly) != 0)) {

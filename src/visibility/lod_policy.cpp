@@ -153,7 +153,8 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
           1.0F,
           seen,
           last,
-          box.cover};
+          box.cover,
+          glm::vec3(chain.boundsMaxObject) - glm::vec3(chain.boundsMinObject)};
 }
 
 namespace {
@@ -171,26 +172,36 @@ struct Budget {
 
 /// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
 /// over all directions (Cauchy), and less where parts of it hide others.
-bool isThin(const DetailInput& object) {
+bool isThin(const DetailInput& object, float area) {
   const float surfacePixels = object.surfaceObject * object.pixelsPerUnit * object.pixelsPerUnit;
-  return 0.25F * surfacePixels < gpu::kThinShare * object.area;
+  return 0.25F * surfacePixels < gpu::kThinShare * area;
+}
+
+/// Area that stays when an object turns, or comes into view at the border of the screen: that of its rectangle or, if
+/// larger, the mean silhouette of its box (a quarter of the surface), at most the screen.
+float steadyArea(const gpu::CullView& view, const DetailInput& object) {
+  const glm::vec3 size = object.sizeObject * object.pixelsPerUnit;
+  const float silhouette = 0.5F * (size.x * size.y + size.y * size.z + size.z * size.x);
+  const float screen = static_cast<float>(view.viewportWidth) * static_cast<float>(view.viewportHeight);
+  return std::max(object.area, std::min(silhouette, screen));
 }
 
 /// @param calm  the level follows the budget with hysteresis   @param counted  the object's pixels have been counted
 Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, bool calm, bool counted) {
   const float relaxed = has(view.traits, gpu::kTraitFollowsLv) ? relaxedBudget(lv, view.relax) : 1.0F;
+  const float area = calm ? steadyArea(view, object) : object.area;
   Budget budget{object.tau,
                 relaxed,
                 visibleShare(lv),
-                visiblePixels(lv, object.area),
+                visiblePixels(lv, area),
                 view.maxError,
                 object.priceFactor,
                 maskingInUse(object.cover, view.traits)};
-  if (isThin(object)) budget.maxError = std::min(budget.maxError, object.tau * budget.masking);
+  if (isThin(object, area)) budget.maxError = std::min(budget.maxError, object.tau * budget.masking);
   if (calm) {
     budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed / budget.masking);
     budget.share = std::max(budget.share, gpu::kLeastCalmShare);
-    budget.pixels = std::max(budget.pixels, gpu::kLeastCalmVisible * gpu::kSilhouetteShare * object.area);
+    budget.pixels = std::max(budget.pixels, gpu::kLeastCalmVisible * gpu::kSilhouetteShare * area);
   } else if (counted && !object.seen) {
     budget.maxError = std::numeric_limits<float>::infinity();  // no pixel shows it
   }

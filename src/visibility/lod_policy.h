@@ -86,16 +86,17 @@ std::uint32_t stepTowards(std::uint32_t last, std::uint32_t lowest, std::uint32_
 
 /// What the choice of detail needs to know of an object besides the view.
 struct DetailInput {
-  std::span<const gpu::Lod> levels;   ///< of the chain, LOD 0 first
-  gpu::Lod patches{};                 ///< the patch base
-  float pixelsPerUnit = 0.0F;         ///< as gpu::ScreenBox
-  float tau = 0.0F;                   ///< as gpu::ScreenBox
-  float area = 0.0F;                  ///< of the bounding rectangle, pixels; of the screen if there is no rectangle
+  std::span<const gpu::Lod> levels;  ///< of the chain, LOD 0 first
+  gpu::Lod patches{};                ///< the patch base
+  float pixelsPerUnit = 0.0F;        ///< as gpu::ScreenBox
+  float tau = 0.0F;                  ///< as gpu::ScreenBox
+  float area = 0.0F;  ///< of the bounding rectangle, pixels; of the screen across the near plane; 0 out of view
   float surfaceObject = 0.0F;         ///< as gpu::Chain
   float priceFactor = 1.0F;           ///< of kTrianglePrice, from the budget of triangles
   bool seen = false;                  ///< a pixel of the last frame showed the object, or no count says
   gpu::ObjectState last{};            ///< of the last frame, where the marks have kMarkKnown or kMarkRemembered
   gpu::uint cover = gpu::kCoverOpen;  ///< as gpu::ScreenBox; with kTraitMasksError it masks errors
+  glm::vec3 sizeObject{0.0F};         ///< of the chain's box, object space
 };
 /// The area is that of the rectangle.
 DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, const gpu::ScreenBox& box, bool seen,
