@@ -140,6 +140,18 @@ uint pixelErrorTessellation(float errorPixels, float tau, uint maxLevel) {
   return uint(clamp(ceil(sqrt(errorPixels / tau)), 1.0, float(maxLevel)));
 }
 
+/// Triangles that an object or a cell is drawn with, without a level that fades out.
+uint trianglesAt(Chain chain, ObjectState state) {
+  return hasTrait(kTraitPatches) ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
+                                 : lods[chain.firstLod + state.lod].triangleCount;
+}
+
+/// Triangles of the level that fades out; 0 for none.
+uint fadingTriangles(Chain chain, uint lod, uint mark) {
+  bool fades = fadeFrames(mark) > 0u && !hasTrait(kTraitPatches);
+  return fades ? lods[chain.firstLod + fadingLod(lod, mark)].triangleCount : 0u;
+}
+
 /// One step from the last level towards [lowest, highest].
 uint stepTowards(uint last, uint lowest, uint highest) {
   return last < lowest ? last + 1u : last > highest ? last - 1u : last;
@@ -198,12 +210,17 @@ Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
 }
 
 /// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
+/// A price above that of tau relaxes the limit of the largest deviation as a larger tau would: the budget precedes it.
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
 Price priceOf(Budget budget, float margin) {
   float tau = budget.tau * margin;
-  float factor = cullView.triangleBudget > 0u ? exp(priceState.logFactor) : 1.0;
+  float factor = 1.0;
+  if (cullView.triangleBudget > 0u) {
+    float middle = 0.5 * (priceState.logFine + priceState.logCoarse);
+    factor = exp(margin < 1.0 ? priceState.logFine : margin > 1.0 ? priceState.logCoarse : middle);
+  }
   return Price(budget.pixels, kTrianglePrice * tau * tau * factor * budget.masking,
-               budget.maxError * min(margin, 1.0));
+               budget.maxError * min(margin, 1.0) * max(sqrt(factor), 1.0));
 }
 
 /// Level of the chain that the budget allows at tau * margin.

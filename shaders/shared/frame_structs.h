@@ -44,10 +44,11 @@ JAL_ASSERT_SIZE(CullView, 192)
 
 /// What moves the price of a triangle towards a budget from frame to frame (adjust_price.comp).
 struct PriceState {
-  float logFactor;  // logarithm of the factor of kTrianglePrice
-  float gain;       // step of logFactor per unit of lastError
+  float logFine;    // logarithm of the factor of kTrianglePrice at the fine end of the calm margin, tau / hysteresis
+  float logCoarse;  // and at its coarse end; both are equal where levels are not calm, logFine is larger where the
+                    // margin is narrowed
+  float gain;       // step of both per unit of lastError
   float lastError;  // logarithm of triangles over budget in the last frame
-  uint reserved0;
 };
 JAL_ASSERT_SIZE(PriceState, 16)
 
@@ -139,6 +140,9 @@ const uint kMarkMapLodShift = 16u;   // first bit of the level that is drawn int
 const uint kMarkMapLodMask = 0x1f0000u;
 const uint kMarkPlaced = 0x200000u;        // scenes with cells: one of the object's cells is on a draw list
 const uint kMarkPlacedFading = 0x400000u;  // and one of the level that fades out
+const uint kMarkUnseen = 0x800000u;        // the last count found no pixel of it
+const uint kMarkLimited = 0x1000000u;      // drawn coarser than the rule wants, to keep the frame within its budget
+const uint kMarkNew = 0x2000000u;          // two phases: came into view, and waits for its test
 const uint kMarkPhases = 0x7u;             // kMarkVisible, kMarkEarly, kMarkLate
 const uint kMarkOfObject = 0x1ff088u;      // what a cell takes from its object: kMarkMirrored, fade, level of the map
 

@@ -63,8 +63,8 @@ const float kBudgetTolerance = 1.0 / 64.0;
 /// budget is left alone. Triangles fall with about the root of the price.
 const float kMostGain = 1.5;
 const float kLeastGain = 1.0 / 64.0;
-/// The same for calm levels, which answer over the frames of a cross-fade.
-const float kMostCalmGain = 0.125;
+/// Share of the calm margin by which a narrowed one becomes wider in each frame that is within its budget.
+const float kMarginRecovery = 1.0 / 64.0;
 /// A step across the budget halves the gain, so that the price comes to rest where one object's levels are the only
 /// choice. The gain grows by this factor while the frame stays above the budget or moves away from it.
 const float kGainGrowth = 1.5;
@@ -73,6 +73,26 @@ const float kBudgetJump = 0.25;
 /// Largest step in one frame, and the range of the logarithm of the factor.
 const float kMostLogStep = 1.0;
 const float kMostLogFactor = 24.0;
+
+// What a frame with a budget sums up: two words per sum, bits 0-9 and the rest of all terms.
+const uint kBudgetStages = 2u;  // objects that the first phase draws, and all others
+/// Triangles over budget from which levels become coarser in the same frame, before each of the two phases is drawn.
+const float kBudgetLimitEarly = 1.0625;
+const float kBudgetLimitLate = 1.078125;
+/// Share of the budget that is reserved at most for what came into view.
+const float kMostReserved = 0.5;
+/// Steps of coarser levels: each multiplies tau and the limit of the largest deviation. The last one is the coarsest
+/// level of every chain.
+const uint kBudgetSteps = 32u;
+const float kBudgetStepScale = 1.125;
+const float kBudgetLastScale = 1048576.0;
+const uint kBudgetWanted = 0u;         // [kBudgetStages][2] at the price, without levels that fade out
+const uint kBudgetDrawn = 4u;          // [kBudgetStages][2] in this frame, with them
+const uint kBudgetForecast = 8u;       // [kBudgetSteps][2] of the stage's objects at each step
+const uint kBudgetReserve = 72u;       // [2] of the coarsest levels of what came into view and may be drawn late
+const uint kBudgetObjectGroups = 74u;  // [3] workgroups of the kernels that make levels coarser; 0 within the limit
+const uint kBudgetCellGroups = 77u;    // [3] and of those that then decide about cells again
+const uint kBudgetWords = 80u;
 
 // Calm (docs/lod_selection.md).
 /// A level stays while its error is at most the budget times CullView.hysteresis, and the next coarser one's is above
@@ -175,6 +195,10 @@ const uint kBindingCounters = 0u;
 const uint kBindingEarlySlots = 5u;
 const uint kBindingLateSlots = 7u;
 const uint kBindingPriceState = 1u;
+// Budget of triangles.
+const uint kBindingBudget = 0u;
+const uint kBindingDrawnOfCells = 5u;
+const uint kBindingDrawnOfObjects = 7u;
 // Drawing programs.
 const uint kBindingDrawBoxes = 3u;
 const uint kBindingDrawInstances = 5u;

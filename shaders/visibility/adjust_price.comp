@@ -1,6 +1,6 @@
 // Moves the price of a triangle so that the next frame's triangles come closer to the budget (docs/lod_selection.md).
 //
-// One thread. Reads counters and CullView. Changes the state of the price. Barrier owed: UNIFORM for the next frame's
+// One thread. Reads budget and CullView. Changes the state of the price. Barrier owed: UNIFORM for the next frame's
 // classify.comp. CPU twin: src/visibility/price_control.cpp
 #version 450 core
 #include "shared/limits.h"
@@ -8,27 +8,50 @@
 
 layout(local_size_x = 1) in;
 layout(std140, binding = kBindingCullView) uniform CullViewBlock { CullView cullView; };
-layout(std430, binding = kBindingCounters) readonly buffer CounterBlock { uint counters[]; };
+layout(std140, binding = kBindingListView) uniform ListViewBlock { ListView listView; };
+#include "lib/traits.glsl"
 layout(std430, binding = kBindingPriceState) buffer PriceStateBlock { PriceState price; };
+#include "lib/budget.glsl"
+
+/// Gain of this step. @param error  logarithm of triangles over budget
+float gainOf(float error) {
+  if (abs(error) - abs(price.lastError) > kBudgetJump) return kMostGain;
+  if (error * price.lastError < 0.0) return max(0.5 * price.gain, 0.5 * kLeastGain);
+  bool stays = error <= kBudgetTolerance && error >= price.lastError - kBudgetTolerance;
+  return stays ? price.gain : min(kGainGrowth * price.gain, kMostGain);
+}
+
+/// Above the budget the fine end of the margin rises, below it the coarse end falls. Each moves the other one along
+/// when the margin has no width left.
+void move(float step, float widest) {
+  if (step > 0.0) {
+    price.logFine = clamp(price.logFine + step, -kMostLogFactor, kMostLogFactor);
+    price.logCoarse = max(price.logCoarse, price.logFine - widest);
+  } else {
+    price.logCoarse = clamp(price.logCoarse + step, -kMostLogFactor, kMostLogFactor);
+    price.logFine = min(price.logFine, price.logCoarse + widest);
+  }
+}
+
+void recover(float widest) {
+  float step = min(kMarginRecovery * widest, 0.5 * (price.logFine - price.logCoarse));
+  price.logFine -= step;
+  price.logCoarse += step;
+}
 
 void main() {
-  float triangles = 0.0;
-  for (int limb = 3; limb >= 0; --limb) triangles = triangles * 1024.0 + float(counters[kCounterTriangles + limb]);
+  float triangles = budgetSum(kBudgetWanted) + budgetSum(kBudgetWanted + 2u);
   float error = log(max(triangles, 1.0) / float(cullView.triangleBudget));
-  float most = cullView.calm != 0u ? kMostCalmGain : kMostGain;
-  float gain = min(price.gain, most);
-  if (abs(error) - abs(price.lastError) > kBudgetJump) {
-    gain = most;
-  } else if (error * price.lastError < 0.0) {
-    gain = max(0.5 * gain, 0.5 * kLeastGain);
-  } else if (error > kBudgetTolerance || error < price.lastError - kBudgetTolerance) {
-    gain = min(kGainGrowth * gain, most);
+  float gain = gainOf(error);
+  float widest = cullView.calm != 0u ? 4.0 * log(cullView.hysteresis) : 0.0;
+  if (price.logFine - price.logCoarse > widest) {
+    float middle = 0.5 * (price.logFine + price.logCoarse);
+    price.logFine = middle + 0.5 * widest;
+    price.logCoarse = middle - 0.5 * widest;
   }
-  bool atRest = abs(error) <= kBudgetTolerance || (error < 0.0 && gain <= kLeastGain);
-  if (!atRest) {
-    float step = clamp(gain * error, -kMostLogStep, kMostLogStep);
-    price.logFactor = clamp(price.logFactor + step, -kMostLogFactor, kMostLogFactor);
-  }
+  bool within = abs(error) <= kBudgetTolerance;
+  if (!within && !(error < 0.0 && gain <= kLeastGain)) move(clamp(gain * error, -kMostLogStep, kMostLogStep), widest);
+  if (within) recover(widest);
   price.gain = gain;
   price.lastError = error;
 }

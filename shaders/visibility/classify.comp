@@ -75,7 +75,8 @@ uint marksOf(History history) {
   bool calm = cullView.calm != 0u;
   return (history.known ? kMarkKnown | (history.marks & kMarkFadeMask) : 0u) | (history.counted ? kMarkCounted : 0u) |
          (calm ? kMarkCalm : 0u) | (history.remembered ? kMarkRemembered : 0u) |
-         (calm && (history.counted || history.measured) ? kMarkMeasured : 0u);
+         (calm && (history.counted || history.measured) ? kMarkMeasured : 0u) |
+         (history.counted && history.pixels == 0u ? kMarkUnseen : 0u);
 }
 
 /// Whether analyse.comp will test the object.
@@ -143,6 +144,7 @@ void main() {
   History history = historyOf(id);
   uint mark = phasesOf(verdict, isExpectedVisible(history.marks, rect)) | (isMirrored(transform) ? kMarkMirrored : 0u) |
               marksOf(history) | mapLodMark(chain, screen.pixelsPerUnit);
+  if ((mark & (kMarkTested | kMarkEarly)) == kMarkTested && (history.marks & kMarkTested) == 0u) mark |= kMarkNew;
   screen.cover = coverBeforeTest(history, verdict, id);
   vec2 size = box.crossesNear && !box.outside ? viewport : rect.zw - rect.xy;
   float area = size.x * size.y;
@@ -152,7 +154,9 @@ void main() {
     state = ObjectState(verdict, history.state.lod, history.state.tessellation,
                         lvWaitsForBlock() ? history.state.lv : lv);
   } else {
-    bool seen = history.known && (!history.counted || history.pixels > 0u);
+    // A calm level that the budget of the last frame made coarser comes back at once.
+    bool limited = history.remembered && (history.marks & kMarkLimited) != 0u;
+    bool seen = history.known && (!history.counted || history.pixels > 0u) && !limited;
     chooseDetail(DetailInput(chain, screen.pixelsPerUnit, screen.tau, area, seen, history.state, screen.cover), state,
                  mark);
   }

@@ -21,7 +21,9 @@ layout(local_size_x = kObjectGroupSize) in;
 /// Phases of a cell in view. @param lastMarks  of the cell, in the last frame
 uint phasesOfCell(BoxOnScreen box, uint objectMark, uint lastMarks) {
   if (!hasTrait(kTraitTwoPhases) || cullView.cullCells == 0u) return objectMark & (kMarkPhases | kMarkTested);
-  bool expected = box.crossesNear || isExpectedVisible(lastMarks, box.rect);
+  // Nothing is known of the cells of an object that was not drawn before: all of them follow it.
+  bool isNew = (objectMark & kMarkKnown) == 0u;
+  bool expected = box.crossesNear || isNew || isExpectedVisible(lastMarks, box.rect);
   bool early = (objectMark & kMarkEarly) != 0u && expected;
   return early ? kMarkEarly | kMarkVisible | kMarkTested : kMarkTested;
 }

@@ -193,8 +193,10 @@ std::vector<RenderOption> levelRows() {
        "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
       {"--triangles", "triangle budget", "triangles",
        "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
-       "allow. A view at rest needs 10 to 30 frames (--settle), with --calm more; frames in which many objects appear "
-       "can have several times as many. 0 turns this off and leaves the price to --tau",
+       "allow. A view at rest needs 10 to 60 frames (--settle). In a frame that would have 1.08 times as many, objects "
+       "become coarser at once, also beyond --max-error; only what appears after a part of the frame was drawn can "
+       "exceed this. "
+       "0 turns this off and leaves the price to --tau",
        OptionGroup::kDetail,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),

@@ -46,14 +46,15 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       pyramid(visibility::mapLayout(width, height), capabilities, shaders),
       objects(buffers.objectCount(), buffers.cellCount()),
       visibility(objects, options.importance, shaders),
+      budget(objects, shaders),
       lists(scene, shaders),
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
       draw({capabilities, buffers.textureClasses()}, shaders),
       methods({scene, capabilities, shaders}),
-      context{cullView, drawView, counting, timer,   buffers, visibility, lists,
-              early,    late,     draw,     targets, map,     pyramid},
+      context{cullView, drawView, counting, timer, buffers, visibility, budget,
+              lists,    early,    late,     draw,  targets, map,        pyramid},
       drawing(context, scene, shaders) {
   methods.resize(width, height);
 }

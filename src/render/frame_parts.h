@@ -28,6 +28,7 @@ struct FrameParts {
   visibility::DepthPyramidPass pyramid;
   visibility::ObjectStore objects;
   visibility::VisibilityPass visibility;
+  visibility::BudgetPass budget;
   visibility::DrawListPass lists;
   visibility::DrawList early;
   visibility::DrawList late;

@@ -32,9 +32,11 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
     parts.visibility.classify(parts.buffers.bindings());
   }
   method.decide(parts.context);
+  parts.context.limitTriangles(parts.late);
   parts.context.buildList(parts.late, "late list");
   if (!options.skipDraw || parts.counting) parts.drawing.draw(options, method);
   const gl::PassTimer::Scope pass(parts.timer, "count");
+  if (parts.cullView.triangleBudget > 0) parts.budget.movePrice(parts.visibility.decided(), parts.late);
   parts.statistics.endFrame(parts.buffers.bindings(), parts.visibility.decided(), parts.cullView,
                             rowOf(options.cullMode).testsOcclusion ? &parts.early : nullptr, parts.late);
 }

@@ -27,7 +27,7 @@ std::uint64_t objectBytes(const RendererOptions& options, bool patches) {
   const std::uint64_t lists = patches ? gpu::kListCount : gpu::kListsPerDetail;
   const std::uint64_t entry = sizeof(gpu::uint) + (perObject ? lists * sizeof(gpu::DrawCommand) : 0);
   return sizeof(gpu::Transform) + sizeof(gpu::Object) + sizeof(gpu::Tile) + sizeof(gpu::ObjectState) +
-         sizeof(gpu::ScreenBox) + 2 * sizeof(gpu::uint) +  // marks, pixel counts
+         sizeof(gpu::ScreenBox) + 4 * sizeof(gpu::uint) +  // marks, pixel counts, drawn triangles and cells
          kLists * 2 * sizeof(gpu::uint) +                  // slots
          2 * kLists * entry;                               // a cross-faded object is on a list twice
 }

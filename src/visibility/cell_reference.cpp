@@ -39,7 +39,9 @@ bool isInView(gpu::uint verdict) {
 gpu::uint phasesOfCell(const gpu::CullView& view, const BoxOnScreen& box, gpu::uint objectMarks, gpu::uint lastMarks) {
   if (!has(view.traits, gpu::kTraitTwoPhases) || view.cullCells == 0)
     return objectMarks & (gpu::kMarkPhases | gpu::kMarkTested);
-  const bool expected = box.crossesNear || isExpectedVisible(lastMarks, box.rect, view);
+  // Nothing is known of the cells of an object that was not drawn before: all of them follow it.
+  const bool isNew = (objectMarks & gpu::kMarkKnown) == 0;
+  const bool expected = box.crossesNear || isNew || isExpectedVisible(lastMarks, box.rect, view);
   const bool early = (objectMarks & gpu::kMarkEarly) != 0 && expected;
   return early ? gpu::kMarkEarly | gpu::kMarkVisible | gpu::kMarkTested : gpu::kMarkTested;
 }

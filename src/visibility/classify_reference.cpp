@@ -67,7 +67,8 @@ gpu::uint marksOf(const gpu::CullView& view, const History& history) {
   return (history.known ? gpu::kMarkKnown | (history.marks & gpu::kMarkFadeMask) : 0) |
          (history.counted ? gpu::kMarkCounted : 0) | (calm ? gpu::kMarkCalm : 0) |
          (history.remembered ? gpu::kMarkRemembered : 0) |
-         (calm && (history.counted || history.measured) ? gpu::kMarkMeasured : 0);
+         (calm && (history.counted || history.measured) ? gpu::kMarkMeasured : 0) |
+         (history.counted && history.pixels == 0 ? gpu::kMarkUnseen : 0);
 }
 
 /// Whether analyse.comp will test the object.
@@ -229,6 +230,8 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
   result.marks = phasesOf(verdict, isExpectedVisible(history.marks, rect, view), view.traits) |
                  (isMirrored(transform) ? gpu::kMarkMirrored : 0) | marksOf(view, history) |
                  mapLodMark(scene, view, chain, result.box.pixelsPerUnit);
+  const bool waits = (result.marks & (gpu::kMarkTested | gpu::kMarkEarly)) == gpu::kMarkTested;
+  if (waits && (history.marks & gpu::kMarkTested) == 0) result.marks |= gpu::kMarkNew;
   result.box.cover = coverBeforeTest(view, history, verdict, last.cover);
   const glm::vec2 size = box.crossesNear && !box.outside ? viewport : glm::vec2(rect.z - rect.x, rect.w - rect.y);
   const float lv = lvBeforeTest(view, history, verdict, size.x * size.y);
@@ -237,10 +240,12 @@ ObjectDecision classifyObject(const scene::SceneData& scene, const gpu::CullView
     result.state = {verdict, history.state.lod, history.state.tessellation,
                     lvWaitsForBlock(view) ? history.state.lv : lv};
   } else {
-    const bool seen = history.known && (!history.counted || history.pixels > 0);
+    // A calm level that the budget of the last frame made coarser comes back at once.
+    const bool limited = history.remembered && (history.marks & gpu::kMarkLimited) != 0;
+    const bool seen = history.known && (!history.counted || history.pixels > 0) && !limited;
     DetailInput input = detailInput(scene, chain, result.box, seen, history.state);
     input.area = size.x * size.y;
-    input.priceFactor = last.priceFactor;
+    input.price = last.price;
     chooseDetail(view, input, result.state, result.marks);
   }
   return result;

@@ -57,7 +57,7 @@ struct LastFrame {
   gpu::ObjectState state{};
   gpu::uint marks = 0;
   gpu::uint pixels = 0;               ///< visible ones, when they were last counted
-  float priceFactor = 1.0F;           ///< of all objects: priceFactor() after that frame
+  gpu::PriceState price{};            ///< of all objects, after that frame
   gpu::uint cover = gpu::kCoverOpen;  ///< as gpu::ScreenBox
 };
 

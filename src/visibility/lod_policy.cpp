@@ -10,6 +10,7 @@
 #include "scene/scene_data.h"
 #include "shared/limits.h"
 #include "visibility/masking.h"
+#include "visibility/price_control.h"
 
 namespace jalousie::visibility {
 
@@ -150,7 +151,7 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
           box.tau,
           (box.maxX - box.minX) * (box.maxY - box.minY),
           chain.surfaceObject,
-          1.0F,
+          {},
           seen,
           last,
           box.cover,
@@ -166,8 +167,7 @@ struct Budget {
   float share;     ///< visible share
   float pixels;    ///< visible pixels
   float maxError;  ///< limit of the largest deviation, pixels
-  float priceFactor;
-  float masking;  ///< factor by which errors count less behind small holes
+  float masking;   ///< factor by which errors count less behind small holes
 };
 
 /// Whether an object fills little of its rectangle. A body in full sight covers a quarter of its surface on average
@@ -190,13 +190,9 @@ float steadyArea(const gpu::CullView& view, const DetailInput& object) {
 Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, bool calm, bool counted) {
   const float relaxed = has(view.traits, gpu::kTraitFollowsLv) ? relaxedBudget(lv, view.relax) : 1.0F;
   const float area = calm ? steadyArea(view, object) : object.area;
-  Budget budget{object.tau,
-                relaxed,
-                visibleShare(lv),
-                visiblePixels(lv, area),
-                view.maxError,
-                object.priceFactor,
-                maskingInUse(object.cover, view.traits)};
+  Budget budget{object.tau,       relaxed,
+                visibleShare(lv), visiblePixels(lv, area),
+                view.maxError,    maskingInUse(object.cover, view.traits)};
   if (isThin(object, area)) budget.maxError = std::min(budget.maxError, object.tau * budget.masking);
   if (calm) {
     budget.relaxed = std::min(budget.relaxed, gpu::kMostCalmRelaxed / budget.masking);
@@ -209,17 +205,19 @@ Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, 
 }
 
 /// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
+/// A price above that of tau relaxes the limit of the largest deviation as a larger tau would: the budget precedes it.
 /// @param margin  scales tau; below 1 also the limit of the largest deviation
-Price priceOf(const Budget& budget, float margin) {
+Price priceOf(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
   const float tau = budget.tau * margin;
-  return {budget.pixels, gpu::kTrianglePrice * tau * tau * budget.priceFactor * budget.masking,
-          budget.maxError * std::min(margin, 1.0F)};
+  const float factor = priceFactor(object.price, view, margin);
+  return {budget.pixels, gpu::kTrianglePrice * tau * tau * factor * budget.masking,
+          budget.maxError * std::min(margin, 1.0F) * std::max(std::sqrt(factor), 1.0F)};
 }
 
 /// Level of the chain that the budget allows at tau * margin.
 std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
   if (has(view.traits, gpu::kTraitPrice))
-    return pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin));
+    return pricedLod(object.levels, object.pixelsPerUnit, priceOf(view, object, budget, margin));
   const float tau = budget.tau * margin * budget.masking;
   return relaxedLod(object.levels, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
@@ -229,8 +227,8 @@ std::uint32_t budgetTessellation(const gpu::CullView& view, const DetailInput& o
                                  float margin) {
   const float errorPixels = object.patches.errorObject * object.pixelsPerUnit;
   if (has(view.traits, gpu::kTraitPrice))
-    return pricedTessellation(errorPixels, static_cast<float>(object.patches.triangleCount), priceOf(budget, margin),
-                              view.maxTessellation);
+    return pricedTessellation(errorPixels, static_cast<float>(object.patches.triangleCount),
+                              priceOf(view, object, budget, margin), view.maxTessellation);
   const float tau = budget.tau * margin * budget.masking;
   return pixelErrorTessellation(errorPixels, tau * budget.relaxed, view.maxTessellation);
 }
@@ -258,6 +256,17 @@ void followBudget(const gpu::CullView& view, const DetailInput& object, const Bu
 }
 
 }  // namespace
+
+gpu::ObjectState coarserState(const gpu::CullView& view, const DetailInput& object, gpu::uint marks, float scale) {
+  Budget budget =
+      budgetOf(view, object, object.last.lv, (marks & gpu::kMarkRemembered) != 0, (marks & gpu::kMarkCounted) != 0);
+  budget.tau *= scale;
+  budget.maxError *= scale;
+  gpu::ObjectState state = object.last;
+  state.lod = std::max(state.lod, budgetLod(view, object, budget, 1.0F));
+  state.tessellation = std::min(state.tessellation, budgetTessellation(view, object, budget, 1.0F));
+  return state;
+}
 
 void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::ObjectState& state, gpu::uint& marks) {
   const bool followsError = has(view.traits, gpu::kTraitFollowsError);

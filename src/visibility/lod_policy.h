@@ -92,7 +92,7 @@ struct DetailInput {
   float tau = 0.0F;                  ///< as gpu::ScreenBox
   float area = 0.0F;  ///< of the bounding rectangle, pixels; of the screen across the near plane; 0 out of view
   float surfaceObject = 0.0F;         ///< as gpu::Chain
-  float priceFactor = 1.0F;           ///< of kTrianglePrice, from the budget of triangles
+  gpu::PriceState price{};            ///< with a budget of triangles
   bool seen = false;                  ///< a pixel of the last frame showed the object, or no count says
   gpu::ObjectState last{};            ///< of the last frame, where the marks have kMarkKnown or kMarkRemembered
   gpu::uint cover = gpu::kCoverOpen;  ///< as gpu::ScreenBox; with kTraitMasksError it masks errors
@@ -107,5 +107,10 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
 /// changes by one, and is cross-faded. Without it a running cross-fade ends.
 /// @param marks  gets kMarkSwitched (only with kMarkKnown) and the frames of the cross-fade
 void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::ObjectState& state, gpu::uint& marks);
+
+/// The state DetailInput::last of the present frame with a level that is at least as coarse: the one that the rule
+/// allows at tau * scale, and with a limit of the largest deviation that is multiplied by scale.
+/// @param marks  of the present frame   @param scale  >= 1
+gpu::ObjectState coarserState(const gpu::CullView& view, const DetailInput& object, gpu::uint marks, float scale);
 
 }  // namespace jalousie::visibility

@@ -4,6 +4,7 @@
 #include "shared/frame_structs.h"
 #include "visibility/price_control.h"
 #include "visibility/storage.h"
+#include "visibility/triangle_budget.h"
 
 namespace jalousie::visibility {
 ObjectStore::ObjectStore(std::uint32_t count, std::uint32_t cells)
@@ -15,7 +16,9 @@ ObjectStore::ObjectStore(std::uint32_t count, std::uint32_t cells)
       cellCount(cells),
       cellStates(makeStorage(sizeof(gpu::ObjectState) * cells, GL_DYNAMIC_STORAGE_BIT, "cell states")),
       cellMarks(makeStorage(sizeof(gpu::uint) * cells, GL_DYNAMIC_STORAGE_BIT, "cell marks")),
-      price(sizeof(gpu::PriceState), GL_DYNAMIC_STORAGE_BIT, "price") {
+      price(sizeof(gpu::PriceState), GL_DYNAMIC_STORAGE_BIT, "price"),
+      budget(makeStorage(sizeof(BudgetWords), GL_DYNAMIC_STORAGE_BIT, "triangle budget")),
+      drawnTriangles(makeStorage(sizeof(gpu::uint) * (cells > 0 ? 2 * std::size_t{count} : 1), 0, "drawn triangles")) {
   price.writeValue(firstPrice());
 }
 

@@ -22,10 +22,12 @@ struct ObjectStore {
   gl::Buffer marks;        ///< kMark... [objectCount]
   gl::Buffer pixelCounts;  ///< gpu::uint [objectCount]: visible pixels at the last count
   std::uint32_t cellCount;
-  gl::Buffer cellStates;     ///< gpu::ObjectState [cellCount]
-  gl::Buffer cellMarks;      ///< kMark... [cellCount]
-  gl::Buffer price;          ///< gpu::PriceState, moved where a frame has a budget of triangles
-  bool countsValid = false;  ///< pixelCounts were made in the last frame
+  gl::Buffer cellStates;      ///< gpu::ObjectState [cellCount]
+  gl::Buffer cellMarks;       ///< kMark... [cellCount]
+  gl::Buffer price;           ///< gpu::PriceState, moved where a frame has a budget of triangles
+  gl::Buffer budget;          ///< BudgetWords of such a frame
+  gl::Buffer drawnTriangles;  ///< gpu::uint [objectCount][2] of such a frame: triangles, cells; one without cells
+  bool countsValid = false;   ///< pixelCounts were made in the last frame
 };
 
 }  // namespace jalousie::visibility

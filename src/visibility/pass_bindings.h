@@ -33,7 +33,7 @@ struct ObjectBuffers {
   const gl::Buffer* states = nullptr;  ///< gpu::ObjectState [objectCount]
   const gl::Buffer* boxes = nullptr;   ///< gpu::ScreenBox [objectCount]
   const gl::Buffer* marks = nullptr;   ///< kMark... [objectCount]
-  const gl::Buffer* price = nullptr;   ///< gpu::PriceState, which StatisticsPass moves
+  const gl::Buffer* price = nullptr;   ///< gpu::PriceState, which BudgetPass moves
 
   // Of the cells; null where the scene has none.
   const gl::Buffer* cellStates = nullptr;  ///< gpu::ObjectState [cellCount]

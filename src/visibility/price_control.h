@@ -3,7 +3,6 @@
 #pragma once
 
 #include "shared/frame_structs.h"
-#include "visibility/frame_counters.h"
 
 namespace jalousie::visibility {
 
@@ -11,11 +10,14 @@ namespace jalousie::visibility {
 gpu::PriceState firstPrice();
 
 /// The state after a frame. Triangles above the budget raise the price, triangles below it lower the price. Within
-/// kBudgetTolerance, and below the budget where the levels allow nothing closer, the price stays.
-/// @param counters  of the frame   @pre view.triangleBudget > 0 (checked)
-gpu::PriceState adjustPrice(gpu::PriceState price, const FrameCounters& counters, const gpu::CullView& view);
+/// kBudgetTolerance, and below the budget where the levels allow nothing closer, the price stays. Calm levels have a
+/// margin in which they stay; first its end that changes levels in the right direction moves.
+/// @param triangles  at the present price, without levels that fade out: those of budgetSum at kBudgetWanted
+/// @pre view.triangleBudget > 0 (checked)
+gpu::PriceState adjustPrice(gpu::PriceState price, float triangles, const gpu::CullView& view);
 
-/// Factor of kTrianglePrice; 1 without a budget.
-float priceFactor(const gpu::PriceState& price, const gpu::CullView& view);
+/// Factor of kTrianglePrice; 1 without a budget. @param margin  that scales tau: below 1 the fine end of the calm
+/// margin, above 1 the coarse end
+float priceFactor(const gpu::PriceState& price, const gpu::CullView& view, float margin = 1.0F);
 
 }  // namespace jalousie::visibility

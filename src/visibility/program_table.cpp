@@ -35,6 +35,11 @@ std::span<const gl::ProgramSource> programTable() {
       {"count states of cells", {"visibility/count_states.comp"}, {"JAL_CELLS"}},
       {"mark ghosts of cells", {"visibility/mark_ghosts.comp"}, {"JAL_CELLS"}},
       {"adjust price", {"visibility/adjust_price.comp"}, {}},
+      {"budget, sum", {"visibility/budget_sum.comp"}, {}},
+      {"budget, sum of cells", {"visibility/budget_sum.comp"}, {"JAL_CELLS"}},
+      {"budget, plan", {"visibility/budget_plan.comp"}, {}},
+      {"budget, forecast", {"visibility/budget_forecast.comp"}, {}},
+      {"budget, limit", {"visibility/budget_limit.comp"}, {}},
   };
   return kPrograms;
 }

@@ -38,6 +38,11 @@ enum class ProgramId : unsigned {
   kCountStatesOfCells,  ///< kCountStates in scenes with cells
   kMarkGhostsOfCells,
   kAdjustPrice,
+  kBudgetSum,
+  kBudgetSumOfCells,  ///< kBudgetSum in scenes with cells
+  kBudgetPlan,
+  kBudgetForecast,
+  kBudgetLimit,
 };
 
 /// All programs, in the order of ProgramId.

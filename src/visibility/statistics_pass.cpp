@@ -25,7 +25,6 @@ StatisticsPass::StatisticsPass(const gl::ShaderLibrary& shaders)
     : countProgram_(programSource(ProgramId::kCountStates), shaders),
       countCellsProgram_(programSource(ProgramId::kCountCells), shaders),
       countStatesOfCellsProgram_(programSource(ProgramId::kCountStatesOfCells), shaders),
-      adjustProgram_(programSource(ProgramId::kAdjustPrice), shaders),
       counters_(sizeof(FrameCounters), 0, "frame counters"),
       mapped_(3 * kSlotBytes, kMapFlags | GL_CLIENT_STORAGE_BIT, "statistics ring"),
       memory_(static_cast<const gpu::uint*>(glMapNamedBufferRange(mapped_.id(), 0, 3 * kSlotBytes, kMapFlags))) {}
@@ -42,9 +41,8 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   const std::size_t index = frame_ % slots_.size();
   Slot& slot = slots_[index];
   const bool hasRoom = slot.fence == nullptr || collect(slot, index, 0);
-  if (hasRoom || view.triangleBudget > 0) count(scene, decided, view, early, late);
-  if (view.triangleBudget > 0) adjustPrice(decided);
   if (!hasRoom) return;
+  count(scene, decided, view, early, late);
   const auto offset = static_cast<GLintptr>(index * kSlotBytes);
   constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
   constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
@@ -93,15 +91,6 @@ void StatisticsPass::countCells(const SceneBindings& scene, const ObjectBuffers&
   decided.marks->bindStorage(gpu::kBindingObjectMarks);
   dispatchGroups(objectGroups(view.cellCount));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-}
-
-void StatisticsPass::adjustPrice(const ObjectBuffers& decided) {
-  adjustProgram_.use();
-  decided.view->bindUniform(gpu::kBindingCullView);
-  counters_.bindStorage(gpu::kBindingCounters);
-  decided.price->bindStorage(gpu::kBindingPriceState);
-  glDispatchCompute(1, 1, 1);
-  glMemoryBarrier(GL_UNIFORM_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs) {

@@ -31,7 +31,7 @@ class StatisticsPass {
   StatisticsPass(const StatisticsPass&) = delete;
   StatisticsPass& operator=(const StatisticsPass&) = delete;
 
-  /// Counts the frame, copies the result, and moves the price where the view has a budget of triangles.
+  /// Counts the frame and copies the result.
   /// @param view  of the frame   @param early, late  its lists, built; early may be null if it draws nothing into the
   /// frame
   void endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
@@ -47,7 +47,6 @@ class StatisticsPass {
     gpu::CullView view{};
     GLsync fence = nullptr;
   };
-  void adjustPrice(const ObjectBuffers& decided);
   bool collect(Slot& slot, std::size_t index, std::uint64_t timeoutNs);
 
   void count(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view, const DrawList* early,
@@ -58,7 +57,6 @@ class StatisticsPass {
   gl::Program countProgram_;
   gl::Program countCellsProgram_;
   gl::Program countStatesOfCellsProgram_;
-  gl::Program adjustProgram_;
   gl::Buffer counters_;
   gl::Buffer mapped_;
   const gpu::uint* memory_ = nullptr;

@@ -73,11 +73,21 @@ void VisibilityPass::analyse(const SceneBindings& scene, gpu::uint traits, const
     cover.depth->bind(gpu::kUnitDepth);
   }
   cosines_.bindStorage(gpu::kBindingCosines);
-  if (!usesDepth) {
-    run(analyseMap_, scene);
-  } else {
-    run(usesMap ? analyseMapDepth_ : analyseDepth_, scene);
-  }
+  run(analysis(traits), scene);
+}
+
+const VisibilityPass::Programs& VisibilityPass::analysis(gpu::uint traits) const {
+  if (!has(traits, gpu::kTraitUsesDepth)) return analyseMap_;
+  return has(traits, gpu::kTraitUsesMap) ? analyseMapDepth_ : analyseDepth_;
+}
+
+void VisibilityPass::repeatCells(const SceneBindings& scene, gpu::uint traits, const gl::Buffer& groups,
+                                 gpu::uint phase) const {
+  if (objects_.cellCount == 0) return;
+  const bool late = phase == gpu::kMarkLate;
+  if (!late || !has(traits, gpu::kTraitTwoPhases)) dispatchCells(*classify_.cells, scene, &groups);
+  // The textures of the test are still bound.
+  if (late && has(traits, gpu::kTraitTestsOcclusion)) dispatchCells(*analysis(traits).cells, scene, &groups);
 }
 
 void VisibilityPass::countPixels(const gl::Texture& items) {
@@ -107,10 +117,11 @@ ObjectBuffers VisibilityPass::decided() const {
 
 void VisibilityPass::run(const Programs& programs, const SceneBindings& scene) const {
   dispatch(programs.objects, scene);
-  if (programs.cells) dispatchCells(*programs.cells, scene);
+  if (programs.cells) dispatchCells(*programs.cells, scene, nullptr);
 }
 
-void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindings& scene) const {
+void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindings& scene,
+                                   const gl::Buffer* groups) const {
   program.use();
   view_.bindUniform(gpu::kBindingCullView);
   scene.transforms->bindStorage(gpu::kBindingTransforms);
@@ -121,7 +132,11 @@ void VisibilityPass::dispatchCells(const gl::Program& program, const SceneBindin
   objects_.marks.bindStorage(gpu::kBindingMarks);
   objects_.cellStates.bindStorage(gpu::kBindingCellStates);
   objects_.cellMarks.bindStorage(gpu::kBindingCellMarks);
-  dispatchGroups(objectGroups(objects_.cellCount));
+  if (groups != nullptr) {
+    dispatchIndirect(*groups, gpu::kBudgetCellGroups);
+  } else {
+    dispatchGroups(objectGroups(objects_.cellCount));
+  }
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -32,6 +32,11 @@ class VisibilityPass {
   /// STORAGE barrier.
   /// @param traits  gpu::CullView::traits, with kTraitUsesMap, kTraitUsesDepth or both
   void analyse(const SceneBindings& scene, gpu::uint traits, const CoverTextures& cover);
+  /// Decides about the cells again after levels have changed. Before the first phase: as classify. Before the second:
+  /// as analyse, in modes that test occlusion, and before that as classify in modes with one phase. Leaves a STORAGE
+  /// barrier.
+  /// @param groups  words, with those of the dispatch at kBudgetCellGroups   @param phase  the next one that is drawn
+  void repeatCells(const SceneBindings& scene, gpu::uint traits, const gl::Buffer& groups, gpu::uint phase) const;
   /// Counts the visible pixels of each object, for the LV of the next frames (kTraitLvPixels). Call after the frame is
   /// drawn.
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
@@ -48,7 +53,8 @@ class VisibilityPass {
 
   void run(const Programs& programs, const SceneBindings& scene) const;
   void dispatch(const gl::Program& program, const SceneBindings& scene) const;
-  void dispatchCells(const gl::Program& program, const SceneBindings& scene) const;
+  void dispatchCells(const gl::Program& program, const SceneBindings& scene, const gl::Buffer* groups) const;
+  const Programs& analysis(gpu::uint traits) const;
 
   ObjectStore& objects_;
   Programs classify_;

@@ -9,7 +9,6 @@
 #include "visibility/draw_list_pass.h"
 #include "visibility/item_buffer.h"
 #include "visibility/kernel_input.h"
-#include "visibility/price_control.h"
 #include "visibility/statistics_pass.h"
 #include "visibility/visibility_pass.h"
 
@@ -107,41 +106,6 @@ void expectCounts(const SceneData& scene, const FramePolicy& policy, std::uint32
   EXPECT_GT(triangleSum(record->counters), capacity);
   if (has(view.traits, gpu::kTraitPatches)) return;
   EXPECT_EQ(expected[gpu::kCounterFading] > 0, capacity > 1);
-}
-
-TEST_F(CountGl, ThePriceMovesAsTheTwinMovesIt) {
-  const SceneData scene = scene::buildScene(mixedFile(300));
-  const render::SceneBuffers buffers(scene);
-  ObjectStore objects(buffers.objectCount());
-  VisibilityPass pass(objects);
-  DrawListPass lists(scene);
-  const DrawListOptions options{Submission::kInstanced, 600, false};
-  DrawList late(scene, gpu::kMarkLate, options);
-  StatisticsPass ring;
-  Random random(21);
-  gpu::PriceState expected = firstPrice();
-  for (int frame = 0; frame < 60; ++frame) {
-    gpu::CullView view =
-        makeView(scene, {}, {64, 64}, 0.0F, {.cullMode = CullMode::kFrustum, .lodRule = LodRule::kPrice});
-    constexpr gpu::uint kBudgets[] = {0, 1, 60000, 100000, 0xffffffffU};
-    view.triangleBudget = kBudgets[frame / 5 % 5];
-    view.calm = random.below(2);
-    pass.setView(view);
-    const RandomDecisions input = randomDecisions(scene, random);
-    objects.states.write(0, std::as_bytes(std::span(input.states)));
-    objects.marks.write(0, std::as_bytes(std::span(input.marks)));
-    lists.build(late, buffers.bindings(), pass.decided());
-    ring.endFrame(buffers.bindings(), pass.decided(), view, nullptr, late);
-    if (view.triangleBudget > 0)
-      expected = adjustPrice(expected, countStates(scene, view, input.states, input.marks), view);
-    const auto actual = objects.price.read<gpu::PriceState>(1)[0];
-    ASSERT_NEAR(actual.logFactor, expected.logFactor, 1e-4F) << "frame " << frame;
-    ASSERT_EQ(actual.gain, expected.gain) << "frame " << frame;
-    ASSERT_NEAR(actual.lastError, expected.lastError, 1e-5F) << "frame " << frame;
-    expected = actual;  // so that roundings do not add up
-  }
-  objects.forget();
-  EXPECT_EQ(objects.price.read<gpu::PriceState>(1)[0].logFactor, 0.0F);
 }
 
 TEST_F(CountGl, FiguresEqualTheTwinAndArriveThroughTheRing) {

@@ -122,11 +122,11 @@ TEST(LvError, RelaxesLevelsOfTheChainAndOfTessellation) {
   box.tau = 1.0F;
   gpu::uint marks = 0;
   gpu::ObjectState open{gpu::kVerdictOpen, 0, 20, -1.0F};
-  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, 1.0F, true, {}}, open, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, {}, true, {}}, open, marks);
   EXPECT_EQ(open.lod, 1U);
   EXPECT_EQ(open.tessellation, 10U);
   gpu::ObjectState hidden{gpu::kVerdictPartial, 0, 20, 1.0F};
-  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, 1.0F, true, {}}, hidden, marks);
+  chooseDetail(view, {levels, patchBase(1.0F), box.pixelsPerUnit, box.tau, 0.0F, 1.0F, {}, true, {}}, hidden, marks);
   EXPECT_EQ(hidden.lod, 3U);
   EXPECT_EQ(hidden.tessellation, 2U);
   EXPECT_EQ(marks, 0U) << "what was not drawn before neither switches nor fades";
@@ -273,7 +273,7 @@ struct CalmObject {
     box.tau = tau;
     marks = gpu::kMarkKnown | gpu::kMarkRemembered | (marks & gpu::kMarkFadeMask);
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, state.lv};
-    chooseDetail(view, {levels, patchBase(40.0F), box.pixelsPerUnit, box.tau, area, 1e6F, 1.0F, seen, state}, next,
+    chooseDetail(view, {levels, patchBase(40.0F), box.pixelsPerUnit, box.tau, area, 1e6F, {}, seen, state}, next,
                  marks);
     state = next;
   }
@@ -356,8 +356,15 @@ TEST(Calm, AFadeEndsWithTheCalmFrames) {
     gpu::uint marks = gpu::kMarkKnown | (object.marks & gpu::kMarkFadeMask);  // not remembered
     gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, -1.0F};
     chooseDetail(object.view,
-                 {object.levels, patchBase(40.0F), object.box.pixelsPerUnit, object.box.tau, object.area, 1e6F, 1.0F,
-                  true, object.state},
+                 {object.levels,
+                  patchBase(40.0F),
+                  object.box.pixelsPerUnit,
+                  object.box.tau,
+                  object.area,
+                  1e6F,
+                  {},
+                  true,
+                  object.state},
                  next, marks);
     EXPECT_EQ(fadeFrames(marks), 0U) << rule.name;
   }
@@ -460,8 +467,7 @@ TEST(Calm, TheLimitOfTheDeviationHoldsForWhatNobodySees) {
   EXPECT_LE(object.levels[object.state.lod].errorObject * object.box.pixelsPerUnit, 3.0F);
   gpu::uint marks = gpu::kMarkKnown | gpu::kMarkCounted;  // not calm
   gpu::ObjectState next{gpu::kVerdictPartial, 0, 0, 1.0F};
-  const DetailInput unseen{object.levels, patchBase(1.0F), 1000.0F,     100.0F, object.area, 1e6F,
-                           1.0F,          false,           object.state};
+  const DetailInput unseen{object.levels, patchBase(1.0F), 1000.0F, 100.0F, object.area, 1e6F, {}, false, object.state};
   chooseDetail(object.view, unseen, next, marks);
   EXPECT_EQ(next.lod, 9U) << "without a visible pixel nothing is limited";
 }

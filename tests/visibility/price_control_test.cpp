@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "shared/limits.h"
 #include "visibility/lod_policy.h"
 
 namespace jalousie::visibility {
@@ -45,13 +46,6 @@ struct Crowd {
   std::vector<float> pixelsPerUnit;
 };
 
-FrameCounters countersOf(std::uint64_t triangles) {
-  FrameCounters counters{};
-  for (gpu::uint limb = 0; limb < 4; ++limb)
-    counters[gpu::kCounterTriangles + limb] = static_cast<gpu::uint>((triangles >> (10 * limb)) & 1023U);
-  return counters;
-}
-
 /// Triangles over the budget, frame by frame.
 std::vector<double> simulate(const Crowd& crowd, gpu::uint budget, const std::function<float(int)>& zoomOf) {
   gpu::CullView view{};
@@ -61,7 +55,7 @@ std::vector<double> simulate(const Crowd& crowd, gpu::uint budget, const std::fu
   for (int frame = 0; frame < 100; ++frame) {
     const std::uint64_t triangles = crowd.triangles(zoomOf(frame), priceFactor(price, view));
     shares.push_back(static_cast<double>(triangles) / budget);
-    price = adjustPrice(price, countersOf(triangles), view);
+    price = adjustPrice(price, static_cast<float>(triangles), view);
   }
   return shares;
 }
@@ -115,10 +109,11 @@ TEST(PriceControl, ABudgetOutOfReachNeitherOverflowsNorStays) {
   for (const gpu::uint budget : {1U, 0xffffffffU}) {
     view.triangleBudget = budget;
     for (int frame = 0; frame < 200; ++frame) {
-      const FrameCounters counters = countersOf(crowd.triangles(1.0F, priceFactor(price, view)));
-      price = adjustPrice(price, counters, view);
+      const std::uint64_t triangles = crowd.triangles(1.0F, priceFactor(price, view));
+      price = adjustPrice(price, static_cast<float>(triangles), view);
     }
-    EXPECT_EQ(std::abs(price.logFactor), gpu::kMostLogFactor);
+    EXPECT_EQ(std::abs(price.logFine), gpu::kMostLogFactor);
+    EXPECT_EQ(price.logCoarse, price.logFine);
     EXPECT_EQ(crowd.triangles(1.0F, priceFactor(price, view)), 10U * crowd.chain[budget == 1 ? 9 : 0].triangleCount);
   }
   view.triangleBudget = 0;

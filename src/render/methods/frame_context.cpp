@@ -8,6 +8,13 @@ void FrameContext::buildList(visibility::DrawList& list, const char* name) const
   lists.build(list, scene.bindings(), visibility.decided());
 }
 
+void FrameContext::limitTriangles(const visibility::DrawList& list) const {
+  if (cullView.triangleBudget == 0) return;
+  const gl::PassTimer::Scope pass(timer, "budget");
+  budget.limit(scene.bindings(), visibility.decided(), cullView, list);
+  visibility.repeatCells(scene.bindings(), cullView.traits, budget.words(), list.view().phase);
+}
+
 void FrameContext::setCullingCamera(float depthGuard) const {
   gpu::DrawView view = drawView;
   view.clipFromWorld = cullView.clipFromWorld;

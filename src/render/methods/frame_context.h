@@ -5,6 +5,7 @@
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
 #include "render/targets.h"
+#include "visibility/budget_pass.h"
 #include "visibility/depth_pyramid_pass.h"
 #include "visibility/draw_list_pass.h"
 #include "visibility/occlusion_map_pass.h"
@@ -21,6 +22,7 @@ struct FrameContext {
   gl::PassTimer& timer;
   SceneBuffers& scene;
   visibility::VisibilityPass& visibility;
+  visibility::BudgetPass& budget;
   visibility::DrawListPass& lists;
   visibility::DrawList& early;  ///< objects flagged kMarkEarly
   visibility::DrawList& late;   ///< objects flagged kMarkLate
@@ -31,6 +33,9 @@ struct FrameContext {
 
   /// Fills a list with the objects that the flags put on it.
   void buildList(visibility::DrawList& list, const char* pass) const;
+  /// Where the frame has a budget of triangles: makes levels coarser if the next phase would exceed it.
+  /// @param list  of the next phase, not built yet
+  void limitTriangles(const visibility::DrawList& list) const;
   /// Draws from the culling camera. @param depthGuard  as in gpu::DrawView
   void setCullingCamera(float depthGuard = 0.0F) const;
   /// Draws one part of a list into the bound framebuffer.

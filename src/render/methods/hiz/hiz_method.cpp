@@ -19,6 +19,7 @@ void drawFirstPhase(const FrameContext& frame, bool counting) noexcept {
 }  // namespace
 
 void HizMethod::decide(const FrameContext& frame) noexcept {
+  frame.limitTriangles(frame.early);
   frame.buildList(frame.early, "early list");
   drawFirstPhase(frame, frame.counting);
   frame.buildPyramid(visibility::DepthSource::kAll);
