@@ -10,7 +10,7 @@ namespace jalousie::app {
 
 /// A number in [least, most]; unlike CLI::Range it refuses NaN.
 inline CLI::Validator inRange(double least, double most) {
-  const std::string range = fmt::format("{:g}..{:g}", least, most);
+  const std::string range = fmt::format("{}..{}", least, most);
   return {[least, most, range](std::string& text) {
             double value = 0.0;
             const bool inside = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;

@@ -120,7 +120,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   cli::addMemoryOption(command, options.memory);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png
-      default: two-phase culling, screen-space error of one pixel, start of the scene's camera path
+      default: two-phase culling, levels at one price, start of the scene's camera path
   jalousie render scene.glb --frame 900 --mode hom --lod linear --view lod --json stats.json -o lod.png
       the method of the thesis: LOD of every object as a picture, statistics as JSON
   jalousie render scene.glb --freeze-frame 0 --eye 0,40,-90 --look 0,0,0 -o behind.png
@@ -131,6 +131,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       first frame after a camera cut: objects by the phase that drew them
   jalousie render scene.glb --tau 2 --min-pixels 4 --importance mask.png -o cheap.png
       screen-space error of two pixels, more where the mask is dark
+  jalousie render scene.glb --triangles 200000 --settle 60 -o budget.png
+      the best picture with 200,000 triangles
+  jalousie render scene.glb --tau 4 --max-error 2 -o coarse.png
+      four times the usual scale, but no deviation of more than two pixels
 )");
 }
 

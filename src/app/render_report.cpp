@@ -84,6 +84,7 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   if (hasTwoPhases(options)) text += fmt::format(" ({} in phase 1)", grouped(s.drawnEarly));
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
+  if (s.cells > 0) text += fmt::format("  cells     {:>13}   drawn {}\n", grouped(s.cells), grouped(s.cellsDrawn));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
   text += tessellates(options) ? "  levels 1.." : "  LOD 0..";

@@ -30,8 +30,8 @@ void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget,
   const std::uint64_t missed = drawn > budget ? drawn - budget : budget - drawn;
   if (budget == 0 || missed <= budget / 20) return;
   printError(fmt::format(
-      "jalousie: warning: {}: {} triangles are drawn instead of {}: the price needs more frames (--settle 30, more "
-      "with --calm), or the levels allow no other number",
+      "jalousie: warning: {}: {} triangles are drawn instead of {}: the price needs more frames (--settle 60), or "
+      "the levels allow no other number",
       oneLine(file.string()), drawn, budget));
 }
 

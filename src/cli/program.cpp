@@ -97,6 +97,20 @@ void withFile(const std::filesystem::path& file, const std::function<void()>& ta
   }
 }
 
+namespace {
+
+/// What was wrong with the command line. CLI11 says "Could not convert: --size = 10x".
+std::string reasonOf(const CLI::ParseError& error) {
+  const std::string reason = error.what();
+  const std::string prefix = "Could not convert: ";
+  const std::size_t equals = reason.find(" = ");
+  if (!reason.starts_with(prefix) || equals == std::string::npos) return reason;
+  return fmt::format("{}: {} is no such value", reason.substr(prefix.size(), equals - prefix.size()),
+                     reason.substr(equals + 3));
+}
+
+}  // namespace
+
 bool parse(CLI::App& program, int argc, const char* const* argv) {
   addExitCodes(program);
   try {
@@ -110,7 +124,7 @@ bool parse(CLI::App& program, int argc, const char* const* argv) {
     printOutput(text.str());
     return false;
   } catch (const CLI::ParseError& error) {
-    throw Error(ErrorCode::kUsage, fmt::format("{} (see {} --help)", error.what(), commandName(program)));
+    throw Error(ErrorCode::kUsage, fmt::format("{} (see {} --help)", reasonOf(error), commandName(program)));
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{} (see {} --help)", error.what(), commandName(program)));
   }

@@ -44,8 +44,10 @@ std::string rectText(const Inspection& i) {
                      box.maxX - box.minX, box.maxY - box.minY);
 }
 
-std::string budgetText(const Inspection& i) {
-  std::string text = fmt::format("{:.3g} px x {:.2f} = {:.3g} px", i.tau, i.relaxed, i.tau * i.relaxed);
+std::string budgetText(const Inspection& i, const LodRuleRow& rule) {
+  std::string text = rule.pricesTriangles
+                         ? fmt::format("price of tau {:.3g} px", i.tau)
+                         : fmt::format("{:.3g} px x {:.2f} = {:.3g} px", i.tau, i.relaxed, i.tau * i.relaxed);
   if (i.importance < 1.0F) text += fmt::format(" (importance {:.2f})", i.importance);
   return text;
 }
@@ -59,7 +61,7 @@ void drawFacts(const Inspection& i, const RenderOptions& options) {
   row("AABR", rectText(i));
   row("LV", fmt::format("{:.4f} ({})", i.readout.state.lv, rowOf(options.frameOptions.lvMeasure).name));
   if (i.countedLv) row("pixels", fmt::format("{} visible at the last count", i.readout.pixels));
-  row("budget", budgetText(i));
+  row("budget", budgetText(i, rowOf(options.frameOptions.lodRule)));
   row("level", i.cuts > 0 ? fmt::format("patches of level {}, each edge divided into {}", i.chosen, i.cuts)
                           : fmt::format("{}", i.chosen));
   row("reason", i.why);
@@ -129,10 +131,10 @@ void drawSpectrum(const std::vector<Bar>& bars, float width, float height) {
   if (index < bars.size()) ImGui::SetTooltip("F(%u,%u) = %.4f", bars[index].u, bars[index].v, bars[index].value);
 }
 
-/// Every measure of occlusion with its LV, and the factor of tau that would follow from it.
+/// Every measure of occlusion with its LV, and the factor of tau that would follow from it with --lod lv-error.
 void drawMeasures(const Inspection& i, const RenderOptions& options) {
   if (!ImGui::BeginTable("measures", 4, ImGuiTableFlags_SizingStretchSame)) return;
-  titles({"measure", "LV", "occluded", "factor of tau"});
+  titles({"measure", "LV", "occluded", "factor, lv-error"});
   for (const LvMeasureRow& measure : lvMeasureTable().subspan(1)) {  // the first one measures nothing
     const bool known = !measure.countsPixels || i.countedLv.has_value();
     const float lv =
