@@ -46,9 +46,12 @@ class LevelMaker {
     return level;
   }
 
-  /// Fits a level to the finest mesh, unless it is a draft. @pre the level has at least kMinLevelTriangles
+  /// Fits a level to the finest mesh and lets crowds of parts keep their area, unless it is a draft. @pre the level has
+  /// at least kMinLevelTriangles
   void refit(const std::vector<std::uint32_t>& vertexMap, WedgeMesh& level) const {
-    if (collapser_) refitLevel(finest_, vertexMap, refitOptions(), level);
+    if (!collapser_) return;
+    refitLevel(finest_, vertexMap, refitOptions(), level);
+    if (!options_.collapse.lockBorder) growParts(collapser_->partClasses(), vertexMap, level);
   }
 
  private:
@@ -56,6 +59,7 @@ class LevelMaker {
     RefitOptions refit;
     refit.lockBorder = options_.collapse.lockBorder;
     refit.slices = options_.slices;
+    refit.partOfVertex = collapser_->partClasses().partOfVertex;
     if (options_.preset == Preset::kFast) {
       refit.rounds = 1;
       refit.samplesPerTriangle = 3;

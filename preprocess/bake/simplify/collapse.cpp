@@ -18,9 +18,7 @@ namespace jalousie::bake {
 namespace {
 
 constexpr std::uint32_t kNone = ~0U;
-/// The cost of removing a loose part is this factor times its area times its squared radius: unlike a collapsed edge, a
-/// removed part leaves no surface nearby.
-constexpr double kPartWeight = 16.0;
+
 std::vector<glm::dvec3> unitFrame(const WedgeMesh& mesh) {
   const Aabb box = boundsOf(mesh.positions);
   const glm::dvec3 center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
@@ -53,6 +51,9 @@ struct EdgeCollapser::State {
     const Aabb box = boundsOf(mesh.positions);
     scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
     center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
+    classes = classifyParts(mesh, parts, scale);
+    for (const LoosePart& part : parts.parts)
+      aliveOfPart.push_back(part.faceCount);
     for (const MeshEdge& edge : edges.edges) {
       if (edge.kind != EdgeKind::kBorder) continue;
       for (const std::uint32_t v : {edge.a, edge.b}) {
@@ -79,12 +80,8 @@ struct EdgeCollapser::State {
   void fillQueue() {
     for (const MeshEdge& edge : edges.edges)
       if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
-    for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
-      const LoosePart& part = parts.parts[p];
-      const double radius = part.radius / scale;
-      if (p != parts.largest)
-        queue.push({static_cast<float>(kPartWeight * part.area / (scale * scale) * radius * radius), p, kNone, 0});
-    }
+    for (std::uint32_t p = 0; p < parts.parts.size(); ++p)
+      if (p != parts.largest) queue.push({static_cast<float>(classes.costs[p]), p, kNone, 0});
   }
 
   std::optional<Candidate> assess(std::uint32_t u, std::uint32_t v) {
@@ -133,6 +130,7 @@ struct EdgeCollapser::State {
     const std::uint32_t u = candidate.u;
     const std::uint32_t v = candidate.v;
     if (!topology.canCollapse(u, v, onBorder[u] != 0 && onBorder[v] != 0)) return Outcome::kIllegal;
+    if (endsPart(u, v)) return Outcome::kIllegal;
     WedgeMerge merge;
     if (!checks.gather(u, v, singleWedge, merge)) return Outcome::kIllegal;
     const Quadric quadric = error.merged(u, v, merge);
@@ -154,11 +152,19 @@ struct EdgeCollapser::State {
     return Outcome::kIllegal;
   }
 
+  /// Whether the collapse would leave nothing of a loose part. Parts go as a whole, at their own cost.
+  bool endsPart(std::uint32_t u, std::uint32_t v) {
+    const std::uint32_t alive = aliveOfPart[classes.partOfVertex[u]];
+    return alive <= 2 && topology.sharedFaces(u, v) == alive;
+  }
+
   void apply(std::uint32_t u, std::uint32_t v, const glm::dvec3& p, const WedgeMerge& merge) {
     error.commit(u, v, merge, values);
     topology.forEachCorner(u, [&](std::uint32_t corner) {
       const auto [a, b] = CollapseTopology::others(corner);
-      if (topology.vertexAt(a) == v || topology.vertexAt(b) == v) topology.remove(corner / 3);
+      if (topology.vertexAt(a) != v && topology.vertexAt(b) != v) return;
+      topology.remove(corner / 3);
+      --aliveOfPart[classes.partOfVertex[u]];
     });
     std::array<std::uint32_t, WedgeMerge::kMost> representative;
     representative.fill(kNone);
@@ -210,6 +216,7 @@ struct EdgeCollapser::State {
       }
       topology.remove(face);
     }
+    aliveOfPart[p] = 0;
     return Outcome::kDone;
   }
 
@@ -246,6 +253,8 @@ struct EdgeCollapser::State {
   CollapseTopology topology;
   CollapseChecks checks;
   LooseParts parts;
+  PartClasses classes;
+  std::vector<std::uint32_t> aliveOfPart;  ///< faces
   std::vector<std::uint32_t> parent;       ///< vertex it was merged into
   std::vector<std::uint32_t> version;      ///< collapses that went into it
   std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
@@ -295,6 +304,10 @@ WedgeMesh EdgeCollapser::mesh() const {
     mesh.corners.push_back(wedgeAt[w]);
   }
   return mesh;
+}
+
+const PartClasses& EdgeCollapser::partClasses() const {
+  return state_->classes;
 }
 
 std::vector<std::uint32_t> EdgeCollapser::vertexMap() const {

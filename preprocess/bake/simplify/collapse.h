@@ -7,6 +7,7 @@
 
 #include "bake/mesh/wedge_mesh.h"
 #include "bake/simplify/collapse_options.h"
+#include "bake/simplify/part_classes.h"
 
 namespace jalousie::bake {
 
@@ -25,7 +26,8 @@ class EdgeCollapser {
   EdgeCollapser& operator=(const EdgeCollapser&) = delete;
 
   /// Collapses until at most `target` triangles are left or no collapse is legal. A loose part that is smaller than the
-  /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles.
+  /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles. The costs and
+  /// the order of removals are those of part_classes.h.
   void collapseTo(std::uint32_t target);
   std::uint32_t triangles() const;
   /// The current mesh.
@@ -34,6 +36,7 @@ class EdgeCollapser {
   static constexpr std::uint32_t kGone = ~0U;
   /// For each vertex of the source: the vertex of mesh() that it became, or kGone.
   std::vector<std::uint32_t> vertexMap() const;
+  const PartClasses& partClasses() const;
 
  private:
   struct State;

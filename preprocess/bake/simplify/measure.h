@@ -30,8 +30,8 @@ struct MeterOptions {
 /// triangle is convex, so over a piece of a triangle it is largest at a corner. The least of these largest values, over
 /// a few near triangles, bounds the distance of the piece to the whole mesh. Pieces whose bound exceeds the largest
 /// distance found are split in four, the largest bound first. The result is the bound if it is within 5 % of the
-/// largest distance found, else that distance plus 5 %. It is never less than any sampled distance. Bounds below 1e-7 of
-/// the diagonal are rounding and are not closed in on.
+/// largest distance found, else that distance plus 5 %. It is never less than any sampled distance. Bounds below 1e-7
+/// of the diagonal are rounding and are not closed in on.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const WedgeMesh& original, const MeterOptions& options = {});
