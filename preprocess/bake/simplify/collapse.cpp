@@ -51,7 +51,7 @@ struct EdgeCollapser::State {
     const Aabb box = boundsOf(mesh.positions);
     scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
     center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
-    classes = classifyParts(mesh, parts, scale);
+    classes = classifyParts(mesh, edges, parts, scale);
     for (const LoosePart& part : parts.parts)
       aliveOfPart.push_back(part.faceCount);
     for (const MeshEdge& edge : edges.edges) {

@@ -2,6 +2,7 @@
 #include "bake/simplify/part_classes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -50,7 +51,8 @@ std::uint32_t primitiveOfPart(const WedgeMesh& mesh, const LooseParts& parts, st
 }
 
 /// Puts the members of a class into the order of removal. Those that stay longest are evenly spread along the curve.
-void orderMembers(const WedgeMesh& mesh, const LooseParts& parts, std::vector<std::uint32_t>& members) {
+/// @return  the diagonal of their box
+double orderMembers(const WedgeMesh& mesh, const LooseParts& parts, std::vector<std::uint32_t>& members) {
   Aabb box;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> alongCurve;
   const auto placeOf = [&](std::uint32_t part) {
@@ -67,6 +69,7 @@ void orderMembers(const WedgeMesh& mesh, const LooseParts& parts, std::vector<st
   std::sort(keyed.rbegin(), keyed.rend());
   for (std::size_t i = 0; i < keyed.size(); ++i)
     members[i] = keyed[i].second;
+  return box.diagonal();
 }
 
 /// Whether a material would be missed if a class with this area went.
@@ -83,13 +86,33 @@ std::vector<std::uint32_t> findPartOfVertex(const WedgeMesh& mesh, const LoosePa
   return partOf;
 }
 
+/// Largest distance of a vertex from the mean of the part's vertices: unlike that of a box, it does not depend on the
+/// direction of the part.
+std::vector<double> radiiOf(const WedgeMesh& mesh, const std::vector<std::uint32_t>& partOf, std::size_t parts) {
+  std::vector<glm::dvec3> centers(parts, glm::dvec3(0.0));
+  std::vector<double> counts(parts, 0.0);
+  std::vector<double> radii(parts, 0.0);
+  for (std::size_t v = 0; v < partOf.size(); ++v) {
+    centers[partOf[v]] += glm::dvec3(mesh.positions[v]);
+    counts[partOf[v]] += 1.0;
+  }
+  for (std::size_t v = 0; v < partOf.size(); ++v)
+    radii[partOf[v]] = std::max(radii[partOf[v]],
+                                glm::distance(centers[partOf[v]] / counts[partOf[v]], glm::dvec3(mesh.positions[v])));
+  return radii;
+}
+
 }  // namespace
 
-PartClasses classifyParts(const WedgeMesh& mesh, const LooseParts& parts, double scale) {
+PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const LooseParts& parts, double scale) {
   PartClasses classes;
   classes.partOfVertex = findPartOfVertex(mesh, parts);
+  std::vector<bool> isOpen(parts.parts.size(), false);
+  for (const MeshEdge& edge : edges.edges)
+    if (edge.kind == EdgeKind::kBorder) isOpen[classes.partOfVertex[edge.a]] = true;
   classes.classOf.assign(parts.parts.size(), PartClasses::kNone);
-  std::map<std::pair<std::uint32_t, int>, std::vector<std::uint32_t>> groups;
+  const std::vector<double> radii = radiiOf(mesh, classes.partOfVertex, parts.parts.size());
+  std::map<std::array<int, 3>, std::vector<std::uint32_t>> groups;
   std::map<std::uint32_t, double> areaOfPrimitive;
   double areaOfMesh = 0.0;
   const auto costOf = [&](const LoosePart& part) {
@@ -99,9 +122,10 @@ PartClasses classifyParts(const WedgeMesh& mesh, const LooseParts& parts, double
   for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
     const LoosePart& part = parts.parts[p];
     classes.costs.push_back(costOf(part));
-    if (!(part.area > 0.0)) continue;
+    if (!(part.area > 0.0) || !isOpen[p]) continue;
     const int size = static_cast<int>(std::floor(0.5 * std::log2(part.area / (scale * scale))));
-    groups[{primitiveOfPart(mesh, parts, p), size}].push_back(p);
+    const int length = static_cast<int>(std::floor(std::log2(radii[p] / scale)));
+    groups[{static_cast<int>(primitiveOfPart(mesh, parts, p)), size, length}].push_back(p);
     areaOfPrimitive[primitiveOfPart(mesh, parts, p)] += part.area;
     areaOfMesh += part.area;
   }
@@ -109,14 +133,14 @@ PartClasses classifyParts(const WedgeMesh& mesh, const LooseParts& parts, double
     if (members.size() < PartClasses::kLeastInClass) continue;
     const auto number = static_cast<std::uint32_t>(classes.areas.size());
     const auto count = static_cast<double>(members.size());
-    orderMembers(mesh, parts, members);
+    classes.extents.push_back(orderMembers(mesh, parts, members));
     double area = 0.0;
     double cost = 0.0;
     for (const std::uint32_t p : members) {
       area += parts.parts[p].area;
       cost += classes.costs[p] / count;
     }
-    const bool isMain = isMainPart(area, areaOfPrimitive.at(key.first), areaOfMesh);
+    const bool isMain = isMainPart(area, areaOfPrimitive.at(static_cast<std::uint32_t>(key[0])), areaOfMesh);
     // The fewer are left, the further is each from the place of those that are gone.
     for (std::size_t i = 0; i < members.size(); ++i) {
       classes.classOf[members[i]] = number;
@@ -163,10 +187,16 @@ ClassesNow classesNow(const PartClasses& classes, const std::vector<std::uint32_
   return now;
 }
 
-/// Scales parts about their centres. @param uniform, across  for each class the factors of all lengths, and of lengths
-/// across the part's longest direction
+/// How the parts of a class are scaled.
+struct Growth {
+  double uniform = 1.0;  ///< of all lengths
+  double across = 1.0;   ///< of lengths across the part's longest direction
+  double most = 0.0;     ///< largest move of a vertex
+};
+
+/// Scales parts about their centres. @param growths  of each class
 void scaleParts(const PartClasses& classes, const std::vector<std::uint32_t>& partOf,
-                const std::vector<double>& uniform, const std::vector<double>& across, WedgeMesh& level) {
+                const std::vector<Growth>& growths, WedgeMesh& level) {
   const std::size_t parts = classes.classOf.size();
   std::vector<glm::dvec3> centers(parts, glm::dvec3(0.0));
   std::vector<double> counts(parts, 0.0);
@@ -181,6 +211,14 @@ void scaleParts(const PartClasses& classes, const std::vector<std::uint32_t>& pa
     const glm::dvec3 off = glm::dvec3(level.positions[v]) - centers[partOf[v]];
     if (glm::dot(off, off) > glm::dot(longest[partOf[v]], longest[partOf[v]])) longest[partOf[v]] = off;
   }
+  std::vector<double> wide(parts, 0.0);  // largest distance of a vertex from the longest direction
+  for (std::size_t v = 0; v < partOf.size(); ++v) {
+    const glm::dvec3& axis = longest[partOf[v]];
+    const glm::dvec3 off = glm::dvec3(level.positions[v]) - centers[partOf[v]];
+    const double length2 = glm::dot(axis, axis);
+    if (length2 > 0.0)
+      wide[partOf[v]] = std::max(wide[partOf[v]], glm::length(off - glm::dot(off, axis) / length2 * axis));
+  }
   for (std::size_t v = 0; v < partOf.size(); ++v) {
     const std::uint32_t number = classes.classOf[partOf[v]];
     const glm::dvec3& axis = longest[partOf[v]];
@@ -188,7 +226,12 @@ void scaleParts(const PartClasses& classes, const std::vector<std::uint32_t>& pa
     if (number == PartClasses::kNone || !(length2 > 0.0)) continue;
     const glm::dvec3 off = glm::dvec3(level.positions[v]) - centers[partOf[v]];
     const glm::dvec3 along = glm::dot(off, axis) / length2 * axis;
-    level.positions[v] = glm::vec3(centers[partOf[v]] + uniform[number] * (along + across[number] * (off - along)));
+    const Growth& growth = growths[number];
+    const double uniform = std::min(growth.uniform, 1.0 + growth.most / std::sqrt(length2));
+    const double across = growth.across * (growth.uniform / uniform) * (growth.uniform / uniform);
+    const double width = wide[partOf[v]];
+    const double limited = width > 0.0 ? std::min(across, 1.0 + growth.most / (uniform * width)) : across;
+    level.positions[v] = glm::vec3(centers[partOf[v]] + uniform * (along + limited * (off - along)));
   }
 }
 
@@ -200,16 +243,17 @@ void growParts(const PartClasses& classes, std::span<const std::uint32_t> vertex
   // The first round makes up for parts that are gone, the others for area that collapses took from the rest or added.
   for (int round = 0; round < 3; ++round) {
     const ClassesNow now = classesNow(classes, partOf, level);
-    std::vector<double> uniform(classes.areas.size(), 1.0);
-    std::vector<double> across(classes.areas.size(), 1.0);
+    std::vector<Growth> growths(classes.areas.size());
     for (std::size_t i = 0; i < classes.areas.size(); ++i) {
       if (now.left[i] == 0 || !(now.areas[i] > 0.0)) continue;
       const double gone = static_cast<double>(classes.sizes[i]) / now.left[i];
-      if (round == 0) uniform[i] = std::min(std::sqrt(gone), kMostGrowth);
-      const double missing = classes.areas[i] / (now.areas[i] * uniform[i] * uniform[i]);
-      if (std::abs(missing - 1.0) > 0.02) across[i] = std::clamp(missing, 1.0 / kMostGrowth, kMostGrowth);
+      Growth& growth = growths[i];
+      growth.most = 0.5 * classes.extents[i] / std::cbrt(static_cast<double>(now.left[i]));
+      if (round == 0) growth.uniform = std::min(std::sqrt(gone), kMostGrowth);
+      const double missing = classes.areas[i] / (now.areas[i] * growth.uniform * growth.uniform);
+      if (std::abs(missing - 1.0) > 0.02) growth.across = std::clamp(missing, 1.0 / kMostGrowth, kMostGrowth);
     }
-    scaleParts(classes, partOf, uniform, across, level);
+    scaleParts(classes, partOf, growths, level);
   }
 }
 

@@ -180,7 +180,7 @@ std::vector<Landing> sampleOriginal(const WedgeMesh& original, std::span<const s
 /// Leaves out the samples that the level cannot fit. @param partOfLevel  of each vertex of the level; empty: one part
 void choose(const WedgeMesh& level, std::span<const std::uint32_t> indices, std::span<const std::uint32_t> partOfLevel,
             std::vector<Landing>& landings) {
-  constexpr double kFar = 5.0;  // times the root of the mean squared distance
+  constexpr double kFar = 20.0;  // times the root of the mean squared distance
   std::vector<double> distances2(landings.size(), 0.0);
   double sum = 0.0;
   std::size_t count = 0;
