@@ -23,6 +23,7 @@
 #include "bake/mesh/mesh_edges.h"
 #include "bake/mesh/subdivide.h"
 #include "bake/mesh/wedges.h"
+#include "bake/mesh/weld.h"
 #include "bake/simplify/chain.h"
 #include "core/error.h"
 
@@ -121,16 +122,31 @@ void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, con
   }
 }
 
+/// Counts the vertices of open edges that a small distance would weld.
+void findNearlyWelded(const WedgeMesh& wedges, const EdgeTable& edges, MeshFindings& findings) {
+  constexpr double kNear = 1e-5;  // of the diagonal
+  std::vector<bool> onBorder(wedges.positions.size(), false);
+  for (const MeshEdge& edge : edges.edges)
+    if (edge.kind == EdgeKind::kBorder) onBorder[edge.a] = onBorder[edge.b] = true;
+  std::vector<glm::vec3> border;
+  for (std::size_t v = 0; v < onBorder.size(); ++v)
+    if (onBorder[v]) border.push_back(wedges.positions[v]);
+  findings.weldHint = kNear * boundsOf(wedges.positions).diagonal();
+  findings.nearlyWelded = snapPositions(border, findings.weldHint);
+}
+
 MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
   MeshFindings findings;
   findings.cleaned = cleaned;
   for (const PrimitiveData& primitive : mesh.primitives)
     findings.repairedValues += primitive.repairedValues;
-  for (const MeshEdge& edge : findEdges(wedges).edges) {
+  const EdgeTable edges = findEdges(wedges);
+  for (const MeshEdge& edge : edges.edges) {
     findings.nonManifoldEdges += edge.kind == EdgeKind::kNonManifold ? 1U : 0U;
     findings.openEdges += edge.kind == EdgeKind::kBorder ? 1U : 0U;
   }
   findings.looseParts = findLooseParts(wedges).parts.size();
+  if (findings.openEdges > 0) findNearlyWelded(wedges, edges, findings);
   return findings;
 }
 
@@ -190,7 +206,16 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, BakedMes
 CombinedMesh readClean(const tinygltf::Model& model, const tinygltf::Mesh& source, const BakeOptions& options,
                        CleanCounts& cleaned) {
   CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
-  cleaned = cleanMesh(mesh);
+  cleaned = cleanMesh(mesh);  // positions are finite from here on
+  if (options.weld > 0.0) {
+    const std::uint64_t snapped = snapPositions(mesh.positions, options.weld);
+    shareEqualVertices(mesh);
+    const CleanCounts more = cleanMesh(mesh);
+    cleaned.degenerate += more.degenerate;
+    cleaned.duplicate += more.duplicate;
+    cleaned.bridges = more.bridges;
+    cleaned.snapped = snapped;
+  }
   return mesh;
 }
 
@@ -247,6 +272,8 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before
   baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
+  for (const ChainLevel& level : baked.chain.levels)
+    report.removedParts.push_back(level.removedParts);
   baked.tree = divideIntoCells(mesh, options.cells);
   report.cells = baked.tree ? baked.tree->cellCount() : 0;
   return baked;

@@ -227,7 +227,7 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
       ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program.add_flag("--lock-border", chain.collapse.lockBorder,
-                   "Keep the vertices of open borders in place, e.g. for terrain tiles");
+                   "Keep the vertices of open borders with all their attributes, e.g. for terrain tiles");
 }
 
 constexpr std::uint32_t kLeastPerCell = 64;
@@ -290,6 +290,11 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
+  program
+      .add_option("--weld", result.bake.weld,
+                  "Weld vertices that are at most this far apart, object units [equal ones]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("DISTANCE");
   program.add_flag(
       "--keep-unused", result.bake.keepUnused,
       "Keep attributes that no material uses in all levels, and weigh them; by default only LOD 0 has them");

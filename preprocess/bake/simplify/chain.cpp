@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "bake/mesh/bounds.h"
+#include "bake/mesh/flat_shading.h"
 #include "bake/simplify/collapse.h"
 #include "bake/simplify/draft.h"
 #include "bake/simplify/measure.h"
@@ -21,13 +22,15 @@ namespace {
 /// Makes the levels of one chain, one after the other.
 class LevelMaker {
  public:
-  LevelMaker(const WedgeMesh& mesh, const ChainOptions& options) : finest_(mesh), options_(options) {
+  LevelMaker(const WedgeMesh& mesh, const ChainOptions& options)
+      : finest_(mesh), options_(options), flat_(flatPrimitives(mesh)) {
     if (options.preset == Preset::kDraft) {
       corners_ = mesh.corners;
       return;
     }
     CollapseOptions collapse = options.collapse;
     if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
+    if (!flat_.empty() && !collapse.normalWeight) collapse.normalWeight = 0.0;  // normals follow the triangles
     collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
   }
 
@@ -46,12 +49,16 @@ class LevelMaker {
     return level;
   }
 
-  /// Fits a level to the finest mesh and lets crowds of parts keep their area, unless it is a draft. @pre the level has
-  /// at least kMinLevelTriangles
+  std::uint32_t removedParts() const { return collapser_ ? collapser_->removedParts() : 0; }
+
+  /// Fits a level to the finest mesh and lets crowds of parts keep their area, unless it is a draft. Flat
+  /// primitives stay flat. @pre the level has at least kMinLevelTriangles
   void refit(const std::vector<std::uint32_t>& vertexMap, WedgeMesh& level) const {
-    if (!collapser_) return;
-    refitLevel(finest_, vertexMap, refitOptions(), level);
-    if (!options_.collapse.lockBorder) growParts(collapser_->partClasses(), vertexMap, level);
+    if (collapser_) {
+      refitLevel(finest_, vertexMap, refitOptions(), level);
+      if (!options_.collapse.lockBorder) growParts(collapser_->partClasses(), vertexMap, level);
+    }
+    restoreFlatShading(flat_, level);
   }
 
  private:
@@ -84,6 +91,7 @@ class LevelMaker {
 
   const WedgeMesh& finest_;
   const ChainOptions& options_;
+  std::vector<bool> flat_;  ///< primitives
   std::unique_ptr<EdgeCollapser> collapser_;
   std::vector<std::uint32_t> corners_;  ///< drafts only
 };
@@ -123,7 +131,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
                      const std::function<void(std::uint32_t)>& progress) {
   JAL_CHECK(mesh.corners.size() >= 3U);
   LevelChain chain;
-  chain.levels.push_back({mesh, {}, 0.0});
+  chain.levels.push_back({mesh, {}});
   const std::uint32_t finest = mesh.triangles();
   const double diagonal = boundsOf(mesh.positions).diagonal();
   std::unique_ptr<LevelMaker> maker;
@@ -148,12 +156,13 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
     }
     std::vector<std::uint32_t> vertexMap;
     const bool exactly = options.coarsest && k + 1 == options.levels;
-    ChainLevel next{maker->make(target, exactly, vertexMap), {}, 0.0};
+    ChainLevel next{maker->make(target, exactly, vertexMap), {}};
     const std::uint32_t triangles = next.mesh.triangles();
     if (triangles < kMinLevelTriangles)
       return stop(fmt::format("simplification fell below {} triangles", kMinLevelTriangles));
     if (triangles > last.mesh.triangles() * 0.95 && triangles > target)
       return stop(fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles));
+    next.removedParts = maker->removedParts();
     maker->refit(vertexMap, next.mesh);
     next.deviation = meter->measure(next.mesh, vertexMap);
     next.errorMax = std::max(next.deviation.twoSided.max, last.errorMax);

@@ -15,7 +15,8 @@ namespace jalousie::bake {
 struct ChainLevel {
   WedgeMesh mesh;
   Deviation deviation;
-  double errorMax = 0.0;  ///< object-space length: the two-sided maximum up to this level, so it never falls
+  double errorMax = 0.0;           ///< object-space length: the two-sided maximum up to this level, so it never falls
+  std::uint32_t removedParts = 0;  ///< loose parts of the mesh that the level is without, if they were removed whole
 };
 
 struct LevelChain {

@@ -27,7 +27,8 @@ class EdgeCollapser {
 
   /// Collapses until at most `target` triangles are left or no collapse is legal. A loose part that is smaller than the
   /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles. The costs and
-  /// the order of removals are those of part_classes.h.
+  /// the order of removals are those of part_classes.h. If nothing legal is left above the target, edges are collapsed
+  /// and parts removed without regard to the topology and to a count somewhat below the target.
   void collapseTo(std::uint32_t target);
   std::uint32_t triangles() const;
   /// The current mesh.
@@ -37,6 +38,8 @@ class EdgeCollapser {
   /// For each vertex of the source: the vertex of mesh() that it became, or kGone.
   std::vector<std::uint32_t> vertexMap() const;
   const PartClasses& partClasses() const;
+  /// Loose parts that were removed as a whole so far.
+  std::uint32_t removedParts() const;
 
  private:
   struct State;

@@ -11,7 +11,7 @@
 
 namespace jalousie::bake {
 
-/// Loose parts with open borders, of one primitive and of similar area (a factor of 4) and radius (a factor of 2) form a
+/// Loose parts with open borders, of one primitive and of similar area (a factor of 4) and radius (a factor of 2) are a
 /// class if they are kLeastInClass or more.
 /// Parts of a class leave in an order that keeps the rest evenly spread, and the rest grows so that the class keeps its
 /// area (Cook et al. 2007, stochastic simplification of aggregate detail).

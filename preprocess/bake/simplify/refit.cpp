@@ -210,6 +210,7 @@ void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint3
     bool again = false;
     for (std::size_t t = 0; t < indices.size() / 3; ++t) {
       const glm::dvec3 old = normalOfTriangle(before, indices, t);
+      if (old == glm::dvec3(0.0)) continue;  // a triangle without area faces nowhere
       if (glm::dot(old, normalOfTriangle(after, indices, t)) >= kSameSide) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = indices[3 * t + k];
@@ -242,7 +243,7 @@ void fitPositions(std::span<const std::uint32_t> indices, const std::vector<Land
 }
 
 void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landing>& landings, const AttributeSlot& slot,
-                WedgeMesh& level) {
+                std::span<const std::uint8_t> fixed, WedgeMesh& level) {
   const auto normalAt = [&](std::uint32_t wedge) {
     const glm::dvec3 n(level.vec3At(wedge, slot));
     const double length = glm::length(n);
@@ -259,8 +260,11 @@ void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landin
               normalAt(level.corners[3 * std::size_t{landing.triangle} + static_cast<std::size_t>(k)]);
     equations.add(landing.triangle, landing.barycentric, glm::dvec3(landing.normal) - here);
   }
+  for (std::uint32_t w = 0; w < level.vertexOf.size(); ++w)
+    if (fixed[level.vertexOf[w]] != 0) equations.fix(w);
   const std::vector<glm::dvec3> changes = equations.solve();
   for (std::uint32_t w = 0; w < changes.size(); ++w) {
+    if (fixed[level.vertexOf[w]] != 0) continue;
     const glm::dvec3 fitted = normalAt(w) + changes[w];
     const double length = glm::length(fitted);
     if (!(length > 1e-6)) continue;
@@ -300,7 +304,7 @@ void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertex
     land(level, indices, options.slices, landings);
     choose(level, indices, partOfLevel, landings);
   }
-  fitNormals(indices, landings, *normals, level);
+  fitNormals(indices, landings, *normals, fixed, level);
 }
 
 }  // namespace jalousie::bake

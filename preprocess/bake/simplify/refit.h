@@ -10,11 +10,11 @@
 namespace jalousie::bake {
 
 struct RefitOptions {
-  std::uint32_t rounds = 2;               ///< of projecting and solving
-  std::uint32_t samplesPerTriangle = 12;  ///< of the level
-  double mostSamples = 2.0;               ///< per triangle of the original
-  bool normals = true;                    ///< fit shading normals too
-  bool lockBorder = false;
+  std::uint32_t rounds = 2;                     ///< of projecting and solving
+  std::uint32_t samplesPerTriangle = 12;        ///< of the level
+  double mostSamples = 2.0;                     ///< per triangle of the original
+  bool normals = true;                          ///< fit shading normals too
+  bool lockBorder = false;                      ///< vertices of open borders keep position and normals
   std::span<const std::uint32_t> partOfVertex;  ///< loose part of each vertex of the original; empty: one part
   SliceRunner slices = runInOneSlice;
 };
