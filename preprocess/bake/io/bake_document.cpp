@@ -15,6 +15,7 @@
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
+#include "bake/io/node_scales.h"
 #include "bake/io/unused_attributes.h"
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/clean.h"
@@ -25,6 +26,7 @@
 #include "bake/mesh/wedges.h"
 #include "bake/mesh/weld.h"
 #include "bake/simplify/chain.h"
+#include "bake/simplify/scene_budget.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
@@ -228,17 +230,16 @@ void refine(CombinedMesh& mesh, const BakeOptions& options) {
 /// Called with the triangles of each finished level.
 using LevelProgress = std::function<void(std::uint32_t)>;
 
-/// Reads and simplifies a mesh. Changes nothing, so meshes can be baked side by side.
-BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
-                   const LevelProgress& progress) {
+/// Reads a mesh up to what is simplified. @return  nullopt if it is passed through; the report says why
+std::optional<WedgeMesh> prepareMesh(const tinygltf::Model& model, std::size_t index, const Before& before,
+                                     const BakeOptions& options, BakedMesh& baked) {
   const std::vector<int>& nodes = before.users[index];
   const tinygltf::Mesh& source = model.meshes[index];
-  BakedMesh baked;
   MeshReport& report = baked.report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
-  if (!report.passedThrough.empty()) return baked;
+  if (!report.passedThrough.empty()) return std::nullopt;
 
   CombinedMesh& mesh = baked.mesh;
   std::vector<std::string> unused;
@@ -251,30 +252,39 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
-    return baked;
+    return std::nullopt;
   }
   refine(mesh, options);
   if (!unused.empty()) {
     baked.finest = readClean(model, source, options, cleaned);
     refine(*baked.finest, options);
   }
-  const WedgeMesh wedges = makeWedges(mesh);
+  WedgeMesh wedges = makeWedges(mesh);
   report.findings = examine(mesh, cleaned, wedges);
   report.findings.unusedAttributes = std::move(unused);
   report.diagonal = boundsOf(wedges.positions).diagonal();
   if (!std::isfinite(report.diagonal)) {
     report.passedThrough = "its coordinates are too large to measure";
-    return baked;
+    return std::nullopt;
   }
+  return wedges;
+}
 
-  baked.chain = makeChain(wedges, options.chain, progress);
+/// Reads and simplifies a mesh. Changes nothing, so meshes can be baked side by side.
+BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                   const LevelProgress& progress) {
+  BakedMesh baked;
+  const std::optional<WedgeMesh> wedges = prepareMesh(model, index, before, options, baked);
+  if (!wedges) return baked;
+  MeshReport& report = baked.report;
+  baked.chain = makeChain(*wedges, options.chain, progress);
   report.stopReason = baked.chain.stopReason;
   baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
   for (const ChainLevel& level : baked.chain.levels)
     report.removedParts.push_back(level.removedParts);
-  baked.tree = divideIntoCells(mesh, options.cells);
+  baked.tree = divideIntoCells(baked.mesh, options.cells);
   report.cells = baked.tree ? baked.tree->cellCount() : 0;
   return baked;
 }
@@ -348,8 +358,73 @@ void checkDemand(const tinygltf::Model& model) {
     throw Error(ErrorCode::kLimit, fmt::format("the meshes read {} elements out of {} bytes", elements, bytes));
 }
 
+/// The share of each mesh in a scene of one budget.
+struct Budget {
+  std::vector<std::vector<std::uint32_t>> targets;  ///< by mesh; see ChainOptions::targets
+  std::vector<double> untilLength;                  ///< by mesh; see ChainOptions::untilLength
+};
+
+/// What a mesh offers, and the radius of the scene's part that it takes. @param scale  see nodeScales
+BudgetMesh budgetOf(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                    double scale) {
+  BudgetMesh offer{0, before.users[index].size(), {}};
+  BakedMesh unused;
+  const std::optional<WedgeMesh> wedges = prepareMesh(model, index, before, options, unused);
+  if (!wedges) return offer;
+  offer.triangles = wedges->triangles();
+  offer.costs = costCurve(*wedges, options.chain);
+  offer.diagonal = scale * unused.report.diagonal;
+  for (CostPoint& point : offer.costs)
+    point.cost *= scale * scale;
+  return offer;
+}
+
+/// @param used  meshes that nodes use   @return  nullopt if the meshes are baked each with its own ratios
+std::optional<Budget> shareScene(const tinygltf::Model& model, const std::vector<std::size_t>& used,
+                                 const Before& before, const BakeOptions& options) {
+  if (!options.sceneBudget || used.size() < 2 || options.chain.preset == Preset::kDraft) return std::nullopt;
+  const std::vector<double> scales = nodeScales(model);
+  const auto scaleOf = [&](std::size_t mesh) {
+    double largest = 0.0;
+    for (const int node : before.users[mesh])
+      largest = std::max(largest, scales[static_cast<std::size_t>(node)]);
+    return largest;
+  };
+  std::vector<BudgetMesh> offers(used.size());
+  options.tasks(used.size(), [&](std::size_t i) {
+    offers[i] = named(model, used[i], [&] { return budgetOf(model, used[i], before, options, scaleOf(used[i])); });
+  });
+  std::vector<std::vector<std::uint32_t>> targets = shareBudget(offers, options.chain);
+  double largest = 0.0;
+  for (const BudgetMesh& offer : offers)
+    largest = std::max(largest, offer.diagonal);
+  Budget budget{std::vector<std::vector<std::uint32_t>>(model.meshes.size()),
+                std::vector<double>(model.meshes.size(), 0.0)};
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    budget.targets[used[i]] = std::move(targets[i]);
+    const double scale = scaleOf(used[i]);
+    // Small meshes may err by more than their own size allows: what counts is the largest mesh.
+    budget.untilLength[used[i]] = scale > 0.0 ? options.chain.untilError * 0.01 * largest / scale : 0.0;
+  }
+  return budget;
+}
+
+/// The options of one mesh.
+BakeOptions optionsFor(const BakeOptions& options, const std::optional<Budget>& budget, std::size_t mesh) {
+  BakeOptions own = options;
+  if (!budget) return own;
+  own.chain.targets = budget->targets[mesh];
+  own.chain.untilLength = budget->untilLength[mesh];
+  own.chain.ratios.clear();
+  own.chain.coarsest.reset();
+  if (own.chain.targets.empty()) own.chain.levels = 1;
+  return own;
+}
+
 std::vector<BakedMesh> bakeBatch(const tinygltf::Model& model, std::span<const std::size_t> batch, const Before& before,
-                                 const BakeOptions& options, const std::function<void(const std::string&)>& progress) {
+                                 const std::function<BakeOptions(std::size_t)>& optionsOf,
+                                 const std::function<void(const std::string&)>& progress) {
+  const BakeOptions options = optionsOf(batch.front());
   std::vector<BakedMesh> baked(batch.size());
   const auto bake = [&](std::size_t i, const BakeOptions& used, const LevelProgress& levels) {
     baked[i] = named(model, batch[i], [&] { return bakeMesh(model, batch[i], before, used, levels); });
@@ -360,9 +435,11 @@ std::vector<BakedMesh> bakeBatch(const tinygltf::Model& model, std::span<const s
     });
     return baked;
   }
-  BakeOptions onOneThread = options;
-  onOneThread.chain.slices = runInOneSlice;
-  options.tasks(batch.size(), [&](std::size_t i) { bake(i, onOneThread, {}); });
+  options.tasks(batch.size(), [&](std::size_t i) {
+    BakeOptions onOneThread = optionsOf(batch[i]);
+    onOneThread.chain.slices = runInOneSlice;
+    bake(i, onOneThread, {});
+  });
   return baked;
 }
 
@@ -391,12 +468,15 @@ std::vector<MeshReport> bakeDocument(
   std::vector<std::size_t> used;
   for (std::size_t m = 0; m < meshes; ++m)
     if (!before.users[m].empty()) used.push_back(m);
+  progress(0, meshes, "sharing the budget");
+  const std::optional<Budget> budget = shareScene(model, used, before, options);
+  const auto optionsOf = [&](std::size_t mesh) { return optionsFor(options, budget, mesh); };
   std::vector<MeshReport> reports;
   std::set<int> finite;
   for (std::size_t first = 0; first < used.size();) {
     const std::size_t end = batchEnd(model, used, first);
     progress(used[first], meshes, model.meshes[used[first]].name);
-    std::vector<BakedMesh> baked = bakeBatch(model, std::span(used).subspan(first, end - first), before, options,
+    std::vector<BakedMesh> baked = bakeBatch(model, std::span(used).subspan(first, end - first), before, optionsOf,
                                              [&](const std::string& what) { progress(used[first], meshes, what); });
     for (; first < end; ++first)
       reports.push_back(named(model, used[first], [&] {

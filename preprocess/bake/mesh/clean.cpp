@@ -47,11 +47,13 @@ Edge edgeOf(const Key& key, std::size_t k) {
 void keepBridges(const std::vector<Key>& flat, std::vector<Key>& keys, std::vector<bool>& dropped,
                  CleanCounts& counts) {
   std::map<Edge, std::uint32_t> uses;
-  if (!flat.empty() && !keys.empty()) {
-    for (const std::vector<Key>* list : {&flat, static_cast<const std::vector<Key>*>(&keys)})
-      for (const Key& key : *list)
-        for (std::size_t k = 0; k < 3; ++k)
-          ++uses[edgeOf(key, k)];
+  for (const Key& key : flat)
+    for (std::size_t k = 0; k < 3; ++k)
+      ++uses[edgeOf(key, k)];
+  if (keys.empty()) uses.clear();  // a mesh without area is none
+  for (std::size_t i = 0; !uses.empty() && i < keys.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto found = uses.find(edgeOf(keys[i], k)); found != uses.end()) ++found->second;
   }
   for (const Key& key : flat) {
     std::uint32_t shared = 0;
@@ -146,6 +148,7 @@ bool sameAttributes(const CombinedMesh& mesh, std::uint32_t a, std::uint32_t b) 
 }  // namespace
 
 void shareEqualVertices(CombinedMesh& mesh) {
+  constexpr std::size_t kMostCandidates = 64;  // any number of different vertices may lie at one place
   const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
   std::vector<std::vector<std::uint32_t>> kept(mesh.positions.size());  // by welded vertex
   std::vector<std::uint32_t> shared(mesh.positions.size());
@@ -154,7 +157,7 @@ void shareEqualVertices(CombinedMesh& mesh) {
     const auto found = std::find_if(candidates.begin(), candidates.end(),
                                     [&](std::uint32_t other) { return sameAttributes(mesh, other, v); });
     shared[v] = found != candidates.end() ? *found : v;
-    if (shared[v] == v) candidates.push_back(v);
+    if (shared[v] == v && candidates.size() < kMostCandidates) candidates.push_back(v);
   }
   for (std::uint32_t& index : mesh.indices)
     index = shared[index];

@@ -22,8 +22,9 @@ glm::dvec3 normalOfFace(const WedgeMesh& mesh, std::size_t corner) {
 /// The corner's wedge in the new mesh: one that is there already, or a copy of the old one with the face's normal.
 std::uint32_t wedgeFor(const WedgeMesh& old, std::uint32_t wedge, const glm::dvec3& normal, const AttributeSlot& slot,
                        std::vector<std::uint32_t>& known, WedgeMesh& mesh) {
-  for (const std::uint32_t candidate : known)
-    if (glm::dot(glm::dvec3(mesh.vec3At(candidate, slot)), normal) > kSameDirection) return candidate;
+  constexpr std::size_t kMostCompared = 16;  // any number of triangles may meet at one vertex
+  for (std::size_t i = known.size() > kMostCompared ? known.size() - kMostCompared : 0; i < known.size(); ++i)
+    if (glm::dot(glm::dvec3(mesh.vec3At(known[i], slot)), normal) > kSameDirection) return known[i];
   const auto added = static_cast<std::uint32_t>(mesh.vertexOf.size());
   known.push_back(added);
   mesh.vertexOf.push_back(old.vertexOf[wedge]);

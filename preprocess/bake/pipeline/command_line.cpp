@@ -259,6 +259,14 @@ void addCellOption(CLI::App& program, CellOptions& cells) {
       ->default_str("auto");
 }
 
+/// Replaces the name of a budget by whether it is the scene's. @return  empty, or what is wrong with the name
+std::string budgetNumber(std::string& name) {
+  const std::string known = CLI::detail::to_lower(name);
+  if (known != "scene" && known != "mesh") return fmt::format("{} is not scene or mesh", name);
+  name = known == "scene" ? "true" : "false";
+  return {};
+}
+
 /// What is done before and after the simplification.
 void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program
@@ -290,6 +298,14 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
+  program
+      .add_option(
+          "--budget", result.bake.sceneBudget,
+          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
+          "in all meshes; with --preset draft always mesh")
+      ->transform(CLI::Validator(budgetNumber, ""))
+      ->type_name("scene|mesh")
+      ->default_str("scene");
   program
       .add_option("--weld", result.bake.weld,
                   "Weld vertices that are at most this far apart, object units [equal ones]")

@@ -10,6 +10,7 @@
 
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/flat_shading.h"
+#include "bake/mesh/normals.h"
 #include "bake/simplify/collapse.h"
 #include "bake/simplify/draft.h"
 #include "bake/simplify/measure.h"
@@ -18,6 +19,13 @@
 
 namespace jalousie::bake {
 namespace {
+
+CollapseOptions collapseOptions(const ChainOptions& options, const std::vector<bool>& flat) {
+  CollapseOptions collapse = options.collapse;
+  if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
+  if (!flat.empty() && !collapse.normalWeight) collapse.normalWeight = 0.0;  // normals follow the triangles
+  return collapse;
+}
 
 /// Makes the levels of one chain, one after the other.
 class LevelMaker {
@@ -28,10 +36,7 @@ class LevelMaker {
       corners_ = mesh.corners;
       return;
     }
-    CollapseOptions collapse = options.collapse;
-    if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
-    if (!flat_.empty() && !collapse.normalWeight) collapse.normalWeight = 0.0;  // normals follow the triangles
-    collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
+    collapser_ = std::make_unique<EdgeCollapser>(mesh, collapseOptions(options, flat_));
   }
 
   /// Collapses to a level of at most `target` triangles if the collapse allows it.
@@ -106,13 +111,20 @@ MeterOptions meterOptions(const ChainOptions& options, std::uint32_t triangles, 
   if (options.preset == Preset::kFast) meter.samples = 12000, meter.searches = 10000;
   if (options.preset == Preset::kDraft) meter.samples = 10000, meter.searches = 5000;
   meter.searches = std::min(meter.searches, (best ? 16U : 4U) * std::min(16 + triangles, 1U << 20U));
-  meter.giveUp = options.untilError * 0.01 * diagonal;
+  meter.giveUp = options.untilLength.value_or(options.untilError * 0.01 * diagonal);
   if (options.samples) meter.samples = *options.samples, meter.perTriangle = 0;
   return meter;
 }
 
-/// Wanted triangles of level k; 0 if the options ask for no such level.
+std::size_t levelsWanted(const ChainOptions& options) {
+  if (!options.targets.empty()) return options.targets.size() + 1;
+  return options.ratios.empty() ? std::size_t{options.levels} : options.ratios.size() + 1;
+}
+
+}  // namespace
+
 std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::size_t k) {
+  if (!options.targets.empty()) return k > options.targets.size() ? 0 : options.targets[k - 1];
   if (!options.ratios.empty()) {
     if (k > options.ratios.size()) return 0;
     return static_cast<std::uint32_t>(std::lround(finest * options.ratios[k - 1]));
@@ -125,7 +137,26 @@ std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::s
   return static_cast<std::uint32_t>(std::lround(finest * std::pow(ratio, static_cast<double>(k))));
 }
 
-}  // namespace
+std::vector<CostPoint> costCurve(const WedgeMesh& mesh, const ChainOptions& options) {
+  const bool isDraft = options.preset == Preset::kDraft;
+  JAL_CHECK(!isDraft);
+  EdgeCollapser collapser(mesh, collapseOptions(options, flatPrimitives(mesh)));
+  collapser.collapseTo(kMinLevelTriangles);
+  std::vector<CostPoint> costs = collapser.costs();
+  const double diagonal = boundsOf(mesh.positions).diagonal();
+  double area = 0.0;
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3)
+    area += triangleArea(mesh.positions[mesh.vertexAt(c)], mesh.positions[mesh.vertexAt(c + 1)],
+                         mesh.positions[mesh.vertexAt(c + 2)]);
+  if (!(area > 0.0)) return {};
+  // A cost is a squared distance times the area of a few triangles.
+  double last = 0.0;
+  for (CostPoint& point : costs) {
+    last = std::max(last, point.cost * std::pow(diagonal, 4.0) * point.triangles / area);
+    point.cost = last;
+  }
+  return costs;
+}
 
 LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
                      const std::function<void(std::uint32_t)>& progress) {
@@ -144,8 +175,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
     const ChainLevel& last = chain.levels.back();
     const std::size_t k = chain.levels.size();
     const std::uint32_t target = targetOf(options, finest, k);
-    if (target == 0 && k >= (options.ratios.empty() ? std::size_t{options.levels} : options.ratios.size() + 1))
-      return stop("all levels made");
+    if (target == 0 && k >= levelsWanted(options)) return stop("all levels made");
     if (options.untilTriangles && target < *options.untilTriangles)
       return stop(fmt::format("the next level would have fewer than {} triangles", *options.untilTriangles));
     if (target < kMinLevelTriangles || target >= last.mesh.triangles())
@@ -166,7 +196,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
     maker->refit(vertexMap, next.mesh);
     next.deviation = meter->measure(next.mesh, vertexMap);
     next.errorMax = std::max(next.deviation.twoSided.max, last.errorMax);
-    if (next.errorMax > options.untilError * 0.01 * diagonal)
+    if (next.errorMax > options.untilLength.value_or(options.untilError * 0.01 * diagonal))
       return stop(fmt::format("the next level, of {} triangles, would be off by {:.3g} % of the diagonal", triangles,
                               100.0 * next.errorMax / diagonal));
     chain.levels.push_back(std::move(next));

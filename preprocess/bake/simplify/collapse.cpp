@@ -246,6 +246,15 @@ struct EdgeCollapser::State {
     return candidate.v != kNone && version[candidate.u] + version[candidate.v] != candidate.version;
   }
 
+  /// Points are 2 % apart.
+  void noteCost(double cost) {
+    if (costs.empty() || cost > 1.02 * costs.back().cost) {
+      costs.push_back({topology.faces(), cost});
+    } else {
+      costs.back().triangles = topology.faces();
+    }
+  }
+
   void run(std::uint32_t target) {
     std::uint32_t least = std::max(kMinLevelTriangles, target - target / 20);
     relaxed = false;
@@ -266,6 +275,7 @@ struct EdgeCollapser::State {
       if (isStale(candidate)) continue;
       const Outcome outcome = candidate.v == kNone ? removePart(candidate.u, least) : tryCollapse(candidate);
       if (outcome == Outcome::kIllegal) waiting.push_back(candidate);
+      if (outcome == Outcome::kDone) noteCost(double{candidate.cost});
     }
     for (const Candidate& candidate : waiting)
       queue.push(candidate);
@@ -288,6 +298,7 @@ struct EdgeCollapser::State {
   std::vector<std::uint32_t> seen, neighbours;
   std::uint32_t generation = 0;
   std::uint32_t removedParts = 0;
+  std::vector<CostPoint> costs;
   bool relaxed = false;  ///< collapses may change the topology
   CollapseQueue queue;
   std::vector<float> values;
@@ -334,6 +345,10 @@ WedgeMesh EdgeCollapser::mesh() const {
     mesh.corners.push_back(wedgeAt[w]);
   }
   return mesh;
+}
+
+const std::vector<CostPoint>& EdgeCollapser::costs() const {
+  return state_->costs;
 }
 
 std::uint32_t EdgeCollapser::removedParts() const {

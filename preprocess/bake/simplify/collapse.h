@@ -11,6 +11,12 @@
 
 namespace jalousie::bake {
 
+/// A point of the curve of cost over triangles.
+struct CostPoint {
+  std::uint32_t triangles = 0;
+  double cost = 0.0;
+};
+
 /// Collapses edges in the order of their error. To make a chain, call collapseTo with descending targets.
 /// The error of a position is the area-weighted squared distance to the planes of all triangles that were merged into
 /// it (Garland and Heckbert 1997) plus, per wedge and attribute, the squared deviation from what those triangles'
@@ -33,6 +39,10 @@ class EdgeCollapser {
   std::uint32_t triangles() const;
   /// The current mesh.
   WedgeMesh mesh() const;
+
+  /// What was collapsed so far: triangles that were left when no collapse or removal of a lower cost was. The costs
+  /// ascend; they are squared distances times areas, in the unit frame.
+  const std::vector<CostPoint>& costs() const;
 
   static constexpr std::uint32_t kGone = ~0U;
   /// For each vertex of the source: the vertex of mesh() that it became, or kGone.
