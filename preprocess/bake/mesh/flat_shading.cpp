@@ -20,8 +20,9 @@ glm::dvec3 normalOfFace(const WedgeMesh& mesh, std::size_t corner) {
 }
 
 /// The corner's wedge in the new mesh: one that is there already, or a copy of the old one with the face's normal.
-std::uint32_t wedgeFor(const WedgeMesh& old, std::uint32_t wedge, const glm::dvec3& normal, const AttributeSlot& slot,
+std::uint32_t wedgeFor(const WedgeMesh& old, std::uint32_t wedge, const glm::dvec3& normal,
                        std::vector<std::uint32_t>& known, WedgeMesh& mesh) {
+  const AttributeSlot& slot = *mesh.slot("NORMAL");
   constexpr std::size_t kMostCompared = 16;  // any number of triangles may meet at one vertex
   for (std::size_t i = known.size() > kMostCompared ? known.size() - kMostCompared : 0; i < known.size(); ++i)
     if (glm::dot(glm::dvec3(mesh.vec3At(known[i], slot)), normal) > kSameDirection) return known[i];
@@ -87,7 +88,7 @@ void restoreFlatShading(const std::vector<bool>& flat, WedgeMesh& level) {
       mesh.corners.push_back(known[wedge].front());
       continue;
     }
-    mesh.corners.push_back(wedgeFor(level, wedge, normal, normals, known[wedge], mesh));
+    mesh.corners.push_back(wedgeFor(level, wedge, normal, known[wedge], mesh));
   }
   level = std::move(mesh);
 }

@@ -267,6 +267,24 @@ std::string budgetNumber(std::string& name) {
   return {};
 }
 
+/// What is read from a document, and what its ratios refer to.
+void addMeshOptions(CLI::App& program, BakeOptions& bake) {
+  program
+      .add_option(
+          "--budget", bake.sceneBudget,
+          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
+          "in all meshes; with --preset draft always mesh")
+      ->transform(CLI::Validator(budgetNumber, ""))
+      ->type_name("scene|mesh")
+      ->default_str("scene");
+  program.add_option("--weld", bake.weld, "Weld vertices that are at most this far apart, object units [equal ones]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("DISTANCE");
+  program.add_flag(
+      "--keep-unused", bake.keepUnused,
+      "Keep attributes that no material uses in all levels, and weigh them; by default only LOD 0 has them");
+}
+
 /// What is done before and after the simplification.
 void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program
@@ -298,22 +316,7 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
-  program
-      .add_option(
-          "--budget", result.bake.sceneBudget,
-          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
-          "in all meshes; with --preset draft always mesh")
-      ->transform(CLI::Validator(budgetNumber, ""))
-      ->type_name("scene|mesh")
-      ->default_str("scene");
-  program
-      .add_option("--weld", result.bake.weld,
-                  "Weld vertices that are at most this far apart, object units [equal ones]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("DISTANCE");
-  program.add_flag(
-      "--keep-unused", result.bake.keepUnused,
-      "Keep attributes that no material uses in all levels, and weigh them; by default only LOD 0 has them");
+  addMeshOptions(program, result.bake);
   addCellOption(program, result.bake.cells);
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");

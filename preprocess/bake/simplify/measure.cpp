@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "bake/mesh/bounds.h"
@@ -13,7 +14,7 @@ namespace jalousie::bake {
 namespace {
 
 constexpr double kMargin = 1.05;      // largest result, relative to the largest distance found
-constexpr double kNegligible = 1e-7;  // of the diagonal: the rounding of single-precision positions
+constexpr double kNegligible = 1e-7;  // of the diagonal
 
 /// For each wedge its chart: the lowest wedge that is connected to it by triangles.
 std::vector<std::uint32_t> findCharts(const WedgeMesh& mesh) {
@@ -99,13 +100,17 @@ struct Piece {
 class MaximumSearch {
  public:
   MaximumSearch(const Direction& direction, double found, const MeterOptions& options)
-      : direction_(direction), found_(found), searches_(options.searches), closeEnough_(options.closeEnough) {}
+      : direction_(direction),
+        found_(found),
+        searches_(options.searches),
+        closeEnough_(options.closeEnough),
+        giveUp_(options.giveUp) {}
 
   double run() {
     probeVertices();
     collectPieces();
     const auto open = [&] { return std::max(found_ * closeEnough_, direction_.negligible); };
-    while (!queue_.empty() && searches_ > 0 && queue_.front().bound > open()) {
+    while (!queue_.empty() && searches_ > 0 && found_ <= giveUp_ && queue_.front().bound > open()) {
       std::pop_heap(queue_.begin(), queue_.end(), isLess);
       const Piece piece = queue_.back();
       queue_.pop_back();
@@ -208,9 +213,17 @@ class MaximumSearch {
   double found_;
   std::uint32_t searches_;
   double closeEnough_;
+  double giveUp_;
   std::vector<Probe> vertices_;
   std::vector<Piece> queue_;
 };
+
+/// Far from the origin, positions of single precision are rounded to more than kNegligible.
+double negligibleLength(const Aabb& box) {
+  const glm::vec3 most = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double rounding = 2.0 * std::numeric_limits<float>::epsilon() * std::max({most.x, most.y, most.z});
+  return std::max(kNegligible * box.diagonal(), rounding);
+}
 
 /// Points per surface: a level of few triangles needs few.
 std::size_t samplesFor(const MeterOptions& options, std::uint32_t triangles) {
@@ -252,7 +265,7 @@ DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& op
     : original_(original),
       options_(options),
       bvh_(original.positions, vertexIndices(original)),
-      negligible_(kNegligible * boundsOf(original.positions).diagonal()),
+      negligible_(negligibleLength(boundsOf(original.positions))),
       chartOf_(findCharts(original)) {}
 
 Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap) const {
