@@ -60,10 +60,12 @@ double orderMembers(const WedgeMesh& mesh, const LooseParts& parts, std::vector<
   };
   for (const std::uint32_t part : members)
     box.add(placeOf(part));
+  alongCurve.reserve(members.size());
   for (const std::uint32_t part : members)
     alongCurve.emplace_back(mortonCode(placeOf(part), box), part);
   std::sort(alongCurve.begin(), alongCurve.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> keyed;
+  keyed.reserve(members.size());
   for (std::uint32_t i = 0; i < alongCurve.size(); ++i)
     keyed.emplace_back(reversedBits(i), alongCurve[i].second);
   std::sort(keyed.rbegin(), keyed.rend());
