@@ -89,7 +89,8 @@ void write(const char* file, std::uint32_t meshes) {
     tinygltf::Node node;
     node.name = mesh.name;
     node.mesh = static_cast<int>(k);
-    node.translation = {4.0 * (k % 64), 0.0, 4.0 * (k / 64)};
+    const std::uint32_t row = k / 64;
+    node.translation = {4.0 * (k % 64), 0.0, 4.0 * row};
     model.meshes.push_back(mesh);
     model.nodes.push_back(node);
     model.scenes[0].nodes.push_back(static_cast<int>(k));

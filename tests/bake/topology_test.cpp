@@ -70,7 +70,7 @@ TEST(Bridges, HoldTheMeshTogetherAtEveryLevel) {
   options.ratios = {0.5, 0.2};
   const LevelChain chain = makeChain(whole, options);
   ASSERT_EQ(chain.levels.size(), 3U);
-  for (std::size_t k = 1; k < 3; ++k)
+  for (std::size_t k = 1; k < 3; ++k) {
     for (const MeshEdge& edge : findEdges(chain.levels[k].mesh).edges) {
       if (edge.kind != EdgeKind::kBorder) continue;
       const glm::vec3 a = chain.levels[k].mesh.positions[edge.a];
@@ -78,6 +78,7 @@ TEST(Bridges, HoldTheMeshTogetherAtEveryLevel) {
       const float y = 0.5F * (a.y + b.y);
       EXPECT_FALSE(std::abs(0.5F * (a.x + b.x)) < 0.2F && y > 0.1F && y < 0.9F) << "a slit at level " << k;
     }
+  }
 }
 
 TEST(Bridges, TrianglesWithoutAreaThatJoinNothingGo) {
