@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "bake/bake_fixtures.h"
@@ -362,6 +363,50 @@ TEST(HardEdges, AngleDecidesWhichEdgesAreHard) {
     const glm::vec3 expected = glm::normalize(smooth.positions[smooth.vertexOf[w]]);
     EXPECT_LT(glm::distance(smooth.vec3At(w, *smooth.slot("NORMAL")), expected), 1e-5F);
   }
+}
+
+/// A closed ring of square sections.
+asset::Primitive ring(std::uint32_t segments) {
+  asset::Primitive mesh;
+  for (std::uint32_t s = 0; s < segments; ++s) {
+    const double angle = 2.0 * std::numbers::pi * s / segments;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const double radius = k == 0 || k == 3 ? 1.0 : 1.3;
+      mesh.positions.emplace_back(radius * std::cos(angle), k < 2 ? 0.0 : 0.3, radius * std::sin(angle));
+      mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+      const std::uint32_t a = 4 * s + k;
+      const std::uint32_t b = 4 * s + (k + 1) % 4;
+      const std::uint32_t c = 4 * ((s + 1) % segments) + k;
+      const std::uint32_t d = 4 * ((s + 1) % segments) + (k + 1) % 4;
+      mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+    }
+  }
+  return mesh;
+}
+
+TEST(Collapse, DoesNotStopWhereTheTopologyWouldChange) {
+  // Nine vertices is the least for a closed ring without pinches, which has 14 triangles and more.
+  const WedgeMesh mesh = test::wedges(ring(24));
+  EXPECT_LE(collapsed(mesh, 8).triangles(), 8U);
+  EXPECT_GE(collapsed(mesh, 4).triangles(), kMinLevelTriangles);
+  EXPECT_TRUE(test::isClosed(collapsed(mesh, 40)));  // as long as there is a legal way, the ring stays whole
+}
+
+TEST(Collapse, DropsAPartWhereTheCountCannotBeMet) {
+  // Tetrahedra cannot collapse: 5 triangles are out of reach, 4 are not.
+  asset::Primitive mesh;
+  for (std::uint32_t t = 0; t < 3; ++t) {
+    const float x = 3.0F * static_cast<float>(t);
+    mesh.positions.insert(mesh.positions.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}});
+    mesh.normals.insert(mesh.normals.end(), 4, glm::vec3(0, 1, 0));
+    const std::uint32_t a = 4 * t;
+    mesh.indices.insert(mesh.indices.end(), {a, a + 2, a + 1, a, a + 1, a + 3, a, a + 3, a + 2, a + 1, a + 2, a + 3});
+  }
+  const WedgeMesh source = test::wedges(mesh);
+  EdgeCollapser collapser(source, {});
+  collapser.collapseTo(5);
+  EXPECT_EQ(collapser.triangles(), 4U);
+  EXPECT_GE(collapser.removedParts(), 1U);
 }
 
 }  // namespace

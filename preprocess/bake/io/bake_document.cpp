@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "asset/accessor.h"
@@ -14,6 +15,8 @@
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
+#include "bake/io/node_scales.h"
+#include "bake/io/unused_attributes.h"
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/clean.h"
 #include "bake/mesh/hard_edges.h"
@@ -21,7 +24,9 @@
 #include "bake/mesh/mesh_edges.h"
 #include "bake/mesh/subdivide.h"
 #include "bake/mesh/wedges.h"
+#include "bake/mesh/weld.h"
 #include "bake/simplify/chain.h"
+#include "bake/simplify/scene_budget.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
@@ -101,11 +106,12 @@ void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<i
 }
 
 /// Refuses a mesh that is passed on as it is but holds numbers that are NaN or infinite. @param reason  why it is
-void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason) {
-  std::set<int> accessors;  // primitives may share them
+/// @param known  accessors that are finite; meshes may share them
+void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason,
+                   std::set<int>& known) {
   const auto check = [&](const std::map<std::string, int>& attributes) {
     for (const auto& [name, accessor] : attributes) {
-      if (!accessors.insert(accessor).second) continue;
+      if (!known.insert(accessor).second) continue;
       if (!asset::holdsFiniteNumbers(model, accessor))
         throw Error(ErrorCode::kMalformed,
                     fmt::format("{} holds NaN or an infinite number and cannot be repaired, because {}", name, reason));
@@ -118,18 +124,31 @@ void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, con
   }
 }
 
-using MeshProgress = std::function<void(const std::string&)>;
+/// Counts the vertices of open edges that a small distance would weld.
+void findNearlyWelded(const WedgeMesh& wedges, const EdgeTable& edges, MeshFindings& findings) {
+  constexpr double kNear = 1e-5;  // of the diagonal
+  std::vector<bool> onBorder(wedges.positions.size(), false);
+  for (const MeshEdge& edge : edges.edges)
+    if (edge.kind == EdgeKind::kBorder) onBorder[edge.a] = onBorder[edge.b] = true;
+  std::vector<glm::vec3> border;
+  for (std::size_t v = 0; v < onBorder.size(); ++v)
+    if (onBorder[v]) border.push_back(wedges.positions[v]);
+  findings.weldHint = kNear * boundsOf(wedges.positions).diagonal();
+  findings.nearlyWelded = snapPositions(border, findings.weldHint);
+}
 
 MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
   MeshFindings findings;
   findings.cleaned = cleaned;
   for (const PrimitiveData& primitive : mesh.primitives)
     findings.repairedValues += primitive.repairedValues;
-  for (const MeshEdge& edge : findEdges(wedges).edges) {
+  const EdgeTable edges = findEdges(wedges);
+  for (const MeshEdge& edge : edges.edges) {
     findings.nonManifoldEdges += edge.kind == EdgeKind::kNonManifold ? 1U : 0U;
     findings.openEdges += edge.kind == EdgeKind::kBorder ? 1U : 0U;
   }
   findings.looseParts = findLooseParts(wedges).parts.size();
+  if (findings.openEdges > 0) findNearlyWelded(wedges, edges, findings);
   return findings;
 }
 
@@ -156,20 +175,27 @@ int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const Combi
   return written.mesh;
 }
 
-/// What the levels of one mesh are written from.
-struct Levels {
-  const CombinedMesh& mesh;  ///< as it was simplified
-  const LevelChain& chain;
+/// One mesh that was simplified and is not yet written.
+struct BakedMesh {
+  MeshReport report;
+  CombinedMesh mesh;                   ///< as it was simplified
+  std::optional<CombinedMesh> finest;  ///< LOD 0 if it has more attributes than the mesh that was simplified
+  LevelChain chain;                    ///< without levels if the mesh is passed through
+  std::vector<float> coverage;
   std::optional<asset::CellTree> tree;
 };
 
+CombinedMesh combinedLevel(const BakedMesh& baked, std::size_t k) {
+  if (k == 0 && baked.finest) return combineWedges(makeWedges(*baked.finest), *baked.finest);
+  return combineWedges(baked.chain.levels[k].mesh, baked.mesh);
+}
+
 /// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
-std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Levels& levels, MeshReport& report) {
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, BakedMesh& baked) {
   const tinygltf::Mesh source = model.meshes[index];
   std::vector<int> levelMeshes;
-  for (std::size_t k = 0; k < levels.chain.levels.size(); ++k)
-    levelMeshes.push_back(writeLevel(model, source, combineWedges(levels.chain.levels[k].mesh, levels.mesh),
-                                     levels.tree, report.levels[k]));
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    levelMeshes.push_back(writeLevel(model, source, combinedLevel(baked, k), baked.tree, baked.report.levels[k]));
   // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
@@ -179,51 +205,129 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Le
   return levelMeshes;
 }
 
-MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
-                    const MeshProgress& progress) {
+CombinedMesh readClean(const tinygltf::Model& model, const tinygltf::Mesh& source, const BakeOptions& options,
+                       CleanCounts& cleaned) {
+  CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
+  cleaned = cleanMesh(mesh);  // positions are finite from here on
+  if (options.weld > 0.0) {
+    const std::uint64_t snapped = snapPositions(mesh.positions, options.weld);
+    shareEqualVertices(mesh);
+    const CleanCounts more = cleanMesh(mesh);
+    cleaned.degenerate += more.degenerate;
+    cleaned.duplicate += more.duplicate;
+    cleaned.bridges = more.bridges;
+    cleaned.snapped = snapped;
+  }
+  return mesh;
+}
+
+/// What is done to LOD 0. @pre the mesh has triangles
+void refine(CombinedMesh& mesh, const BakeOptions& options) {
+  subdivideMesh(mesh, options.subdivide);
+  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
+}
+
+/// Called with the triangles of each finished level.
+using LevelProgress = std::function<void(std::uint32_t)>;
+
+/// Reads a mesh up to what is simplified. @return  nullopt if it is passed through; the report says why
+std::optional<WedgeMesh> prepareMesh(const tinygltf::Model& model, std::size_t index, const Before& before,
+                                     const BakeOptions& options, BakedMesh& baked) {
   const std::vector<int>& nodes = before.users[index];
   const tinygltf::Mesh& source = model.meshes[index];
-  MeshReport report;
+  MeshReport& report = baked.report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
-  if (!report.passedThrough.empty()) {
-    requireFinite(model, source, report.passedThrough);
-    return report;
-  }
+  if (!report.passedThrough.empty()) return std::nullopt;
 
-  CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
-  const CleanCounts cleaned = cleanMesh(mesh);
+  CombinedMesh& mesh = baked.mesh;
+  std::vector<std::string> unused;
+  if (!options.keepUnused) unused = unusedAttributes(model, source);
+  CleanCounts cleaned;
+  mesh = unused.empty() ? readClean(model, source, options, cleaned)
+                        : readClean(model, withoutUnused(model, source), options, cleaned);
   if (mesh.indices.empty() && cleaned.notFinite > 0)
     throw Error(ErrorCode::kMalformed, fmt::format("none of its {} triangles has finite positions", cleaned.notFinite));
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
-    requireFinite(model, source, report.passedThrough);
-    return report;
+    return std::nullopt;
   }
-  subdivideMesh(mesh, options.subdivide);
-  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
-  const WedgeMesh wedges = makeWedges(mesh);
+  refine(mesh, options);
+  if (!unused.empty()) {
+    baked.finest = readClean(model, source, options, cleaned);
+    refine(*baked.finest, options);
+  }
+  WedgeMesh wedges = makeWedges(mesh);
   report.findings = examine(mesh, cleaned, wedges);
+  report.findings.unusedAttributes = std::move(unused);
   report.diagonal = boundsOf(wedges.positions).diagonal();
   if (!std::isfinite(report.diagonal)) {
     report.passedThrough = "its coordinates are too large to measure";
-    requireFinite(model, source, report.passedThrough);
-    return report;
+    return std::nullopt;
   }
+  return wedges;
+}
 
-  const LevelChain chain = makeChain(wedges, options.chain, [&](std::uint32_t triangles) {
-    progress(fmt::format("{}: {} triangles", report.name, triangles));
-  });
-  report.stopReason = chain.stopReason;
-  const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
-  for (std::size_t k = 0; k < chain.levels.size(); ++k)
-    report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
-  const Levels levels{mesh, chain, divideIntoCells(mesh, options.cells)};
-  report.cells = levels.tree ? levels.tree->cellCount() : 0;
-  linkNodes(model, before, nodes, writeLevels(model, index, levels, report), coverage);
-  return report;
+/// Reads and simplifies a mesh. Changes nothing, so meshes can be baked side by side.
+BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                   const LevelProgress& progress) {
+  BakedMesh baked;
+  const std::optional<WedgeMesh> wedges = prepareMesh(model, index, before, options, baked);
+  if (!wedges) return baked;
+  MeshReport& report = baked.report;
+  baked.chain = makeChain(*wedges, options.chain, progress);
+  report.stopReason = baked.chain.stopReason;
+  baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
+  for (const ChainLevel& level : baked.chain.levels)
+    report.removedParts.push_back(level.removedParts);
+  baked.tree = divideIntoCells(baked.mesh, options.cells);
+  report.cells = baked.tree ? baked.tree->cellCount() : 0;
+  return baked;
+}
+
+/// Calls a function for a mesh; its errors name the mesh.
+template <class Work>
+auto named(const tinygltf::Model& model, std::size_t index, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string name = model.meshes[index].name.empty() ? fmt::format("{}", index) : model.meshes[index].name;
+    throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));
+  }
+}
+
+/// Meshes that are baked side by side and then written in order, so that the file does not depend on the threads. Few
+/// are held in memory at a time. A large mesh is a batch of its own: it uses all threads.
+constexpr std::uint64_t kLargeMesh = 100'000;
+constexpr std::size_t kMostTogether = 512;
+
+/// Elements that a mesh reads, about.
+std::uint64_t sizeOf(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+  std::uint64_t elements = 0;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    const auto position = primitive.attributes.find("POSITION");
+    const int accessor = primitive.indices >= 0                   ? primitive.indices
+                         : position != primitive.attributes.end() ? position->second
+                                                                  : -1;
+    if (accessor >= 0) elements += model.accessors[static_cast<std::size_t>(accessor)].count;
+  }
+  return elements;
+}
+
+/// The end of the batch that begins with the mesh used[first].
+std::size_t batchEnd(const tinygltf::Model& model, const std::vector<std::size_t>& used, std::size_t first) {
+  std::uint64_t elements = 0;
+  std::size_t end = first;
+  while (end < used.size() && end - first < kMostTogether) {
+    elements += sizeOf(model, model.meshes[used[end]]);
+    if (end > first && elements > kLargeMesh) break;
+    ++end;
+  }
+  return end;
 }
 
 /// Primitives may share accessors, but each primitive reads them again: a small file could demand any amount of work.
@@ -240,13 +344,114 @@ void checkDemand(const tinygltf::Model& model) {
   std::uint64_t elements = 0;
   for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      elements += count(primitive.indices);
-      for (const auto& [name, accessor] : primitive.attributes)
-        elements += count(accessor);
+      const std::uint64_t indices = count(primitive.indices);
+      elements += indices;
+      for (const auto& [name, accessor] : primitive.attributes) {
+        // Of a large shared buffer only the vertices in use are read.
+        const bool inPart = primitive.indices >= 0 && accessor >= 0 &&
+                            !model.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse;
+        elements += inPart ? std::min(count(accessor), 2 * indices) : count(accessor);
+      }
     }
   }
   if (elements > kFreeElements + kMaxElementsPerByte * bytes)
     throw Error(ErrorCode::kLimit, fmt::format("the meshes read {} elements out of {} bytes", elements, bytes));
+}
+
+/// The share of each mesh in a scene of one budget.
+struct Budget {
+  std::vector<std::vector<std::uint32_t>> targets;  ///< by mesh; see ChainOptions::targets
+  std::vector<double> untilLength;                  ///< by mesh; see ChainOptions::untilLength
+};
+
+/// What a mesh offers, and the radius of the scene's part that it takes. @param scale  see nodeScales
+BudgetMesh budgetOf(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                    double scale) {
+  BudgetMesh offer{0, before.users[index].size(), {}};
+  BakedMesh unused;
+  const std::optional<WedgeMesh> wedges = prepareMesh(model, index, before, options, unused);
+  if (!wedges) return offer;
+  offer.triangles = wedges->triangles();
+  offer.costs = costCurve(*wedges, options.chain);
+  offer.diagonal = scale * unused.report.diagonal;
+  for (CostPoint& point : offer.costs)
+    point.cost *= scale * scale;
+  return offer;
+}
+
+/// @param used  meshes that nodes use   @return  nullopt if the meshes are baked each with its own ratios
+std::optional<Budget> shareScene(const tinygltf::Model& model, const std::vector<std::size_t>& used,
+                                 const Before& before, const BakeOptions& options) {
+  if (!options.sceneBudget || used.size() < 2 || options.chain.preset == Preset::kDraft) return std::nullopt;
+  const std::vector<double> scales = nodeScales(model);
+  const auto scaleOf = [&](std::size_t mesh) {
+    double largest = 0.0;
+    for (const int node : before.users[mesh])
+      largest = std::max(largest, scales[static_cast<std::size_t>(node)]);
+    return largest;
+  };
+  std::vector<BudgetMesh> offers(used.size());
+  options.tasks(used.size(), [&](std::size_t i) {
+    offers[i] = named(model, used[i], [&] { return budgetOf(model, used[i], before, options, scaleOf(used[i])); });
+  });
+  std::vector<std::vector<std::uint32_t>> targets = shareBudget(offers, options.chain);
+  double largest = 0.0;
+  for (const BudgetMesh& offer : offers)
+    largest = std::max(largest, offer.diagonal);
+  Budget budget{std::vector<std::vector<std::uint32_t>>(model.meshes.size()),
+                std::vector<double>(model.meshes.size(), 0.0)};
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    budget.targets[used[i]] = std::move(targets[i]);
+    const double scale = scaleOf(used[i]);
+    // Small meshes may err by more than their own size allows: what counts is the largest mesh.
+    budget.untilLength[used[i]] = scale > 0.0 ? options.chain.untilError * 0.01 * largest / scale : 0.0;
+  }
+  return budget;
+}
+
+/// The options of one mesh.
+BakeOptions optionsFor(const BakeOptions& options, const std::optional<Budget>& budget, std::size_t mesh) {
+  BakeOptions own = options;
+  if (!budget) return own;
+  own.chain.targets = budget->targets[mesh];
+  own.chain.untilLength = budget->untilLength[mesh];
+  own.chain.ratios.clear();
+  own.chain.coarsest.reset();
+  if (own.chain.targets.empty()) own.chain.levels = 1;
+  return own;
+}
+
+std::vector<BakedMesh> bakeBatch(const tinygltf::Model& model, std::span<const std::size_t> batch, const Before& before,
+                                 const std::function<BakeOptions(std::size_t)>& optionsOf,
+                                 const std::function<void(const std::string&)>& progress) {
+  const BakeOptions options = optionsOf(batch.front());
+  std::vector<BakedMesh> baked(batch.size());
+  const auto bake = [&](std::size_t i, const BakeOptions& used, const LevelProgress& levels) {
+    baked[i] = named(model, batch[i], [&] { return bakeMesh(model, batch[i], before, used, levels); });
+  };
+  if (batch.size() == 1) {
+    bake(0, options, [&](std::uint32_t triangles) {
+      progress(fmt::format("{}: {} triangles", model.meshes[batch[0]].name, triangles));
+    });
+    return baked;
+  }
+  options.tasks(batch.size(), [&](std::size_t i) {
+    BakeOptions onOneThread = optionsOf(batch[i]);
+    onOneThread.chain.slices = runInOneSlice;
+    bake(i, onOneThread, {});
+  });
+  return baked;
+}
+
+/// Writes a mesh and links its levels, or checks one that is passed through.
+MeshReport writeMesh(tinygltf::Model& model, std::size_t index, const Before& before, BakedMesh& baked,
+                     std::set<int>& finite) {
+  if (!baked.report.passedThrough.empty()) {
+    requireFinite(model, model.meshes[index], baked.report.passedThrough, finite);
+    return std::move(baked.report);
+  }
+  linkNodes(model, before, before.users[index], writeLevels(model, index, baked), baked.coverage);
+  return std::move(baked.report);
 }
 
 }  // namespace
@@ -260,17 +465,23 @@ std::vector<MeshReport> bakeDocument(
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     if (model.nodes[n].mesh >= 0)
       before.users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
+  std::vector<std::size_t> used;
+  for (std::size_t m = 0; m < meshes; ++m)
+    if (!before.users[m].empty()) used.push_back(m);
+  progress(0, meshes, "sharing the budget");
+  const std::optional<Budget> budget = shareScene(model, used, before, options);
+  const auto optionsOf = [&](std::size_t mesh) { return optionsFor(options, budget, mesh); };
   std::vector<MeshReport> reports;
-  for (std::size_t m = 0; m < meshes; ++m) {
-    progress(m, meshes, model.meshes[m].name);
-    if (before.users[m].empty()) continue;
-    try {
-      reports.push_back(
-          bakeMesh(model, m, before, options, [&](const std::string& what) { progress(m, meshes, what); }));
-    } catch (const Error& error) {
-      const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
-      throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));
-    }
+  std::set<int> finite;
+  for (std::size_t first = 0; first < used.size();) {
+    const std::size_t end = batchEnd(model, used, first);
+    progress(used[first], meshes, model.meshes[used[first]].name);
+    std::vector<BakedMesh> baked = bakeBatch(model, std::span(used).subspan(first, end - first), before, optionsOf,
+                                             [&](const std::string& what) { progress(used[first], meshes, what); });
+    for (; first < end; ++first)
+      reports.push_back(named(model, used[first], [&] {
+        return writeMesh(model, used[first], before, baked[baked.size() - (end - first)], finite);
+      }));
   }
   model.asset.generator = "jalousie-bake";
   return reports;

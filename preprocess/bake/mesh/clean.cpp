@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "bake/mesh/normals.h"
@@ -30,9 +32,43 @@ std::vector<bool> zeroNotFinite(std::vector<glm::vec3>& positions) {
   return isFinite;
 }
 
-bool isDegenerate(const CombinedMesh& mesh, const std::uint32_t* corner, const std::array<std::uint32_t, 3>& ids) {
-  const glm::dvec3 normal = faceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
-  return ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0] || normal == glm::dvec3(0.0);
+bool hasArea(const CombinedMesh& mesh, const std::uint32_t* corner) {
+  return faceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]) != glm::dvec3(0.0);
+}
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+Edge edgeOf(const Key& key, std::size_t k) {
+  return std::minmax(key.ids[k], key.ids[(k + 1) % 3]);
+}
+
+/// Of the triangles without area, keeps those that share two edges or more with others: without them, the vertices on
+/// a longer edge would lie on an open border. @param keys  of triangles with area; gets those of bridges
+void keepBridges(const std::vector<Key>& flat, std::vector<Key>& keys, std::vector<bool>& dropped,
+                 CleanCounts& counts) {
+  std::map<Edge, std::uint32_t> uses;
+  for (const Key& key : flat)
+    for (std::size_t k = 0; k < 3; ++k)
+      ++uses[edgeOf(key, k)];
+  if (keys.empty()) uses.clear();  // a mesh without area is none
+  for (std::size_t i = 0; !uses.empty() && i < keys.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto found = uses.find(edgeOf(keys[i], k)); found != uses.end()) ++found->second;
+  }
+  for (const Key& key : flat) {
+    std::uint32_t shared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = uses.find(edgeOf(key, k));
+      shared += found != uses.end() && found->second > 1 ? 1U : 0U;
+    }
+    if (shared < 2) {
+      ++counts.degenerate;
+      dropped[key.triangle] = true;
+    } else {
+      ++counts.bridges;
+      keys.push_back(key);
+    }
+  }
 }
 
 /// Marks triangles that are not finite or have no area. @return  the keys of the others
@@ -40,6 +76,7 @@ std::vector<Key> dropBroken(const CombinedMesh& mesh, const std::vector<bool>& i
                             CleanCounts& counts) {
   const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
   std::vector<Key> keys;
+  std::vector<Key> flat;
   keys.reserve(dropped.size());
   for (std::uint32_t t = 0; t < dropped.size(); ++t) {
     const std::uint32_t* corner = &mesh.indices[3 * std::size_t{t}];
@@ -49,14 +86,15 @@ std::vector<Key> dropBroken(const CombinedMesh& mesh, const std::vector<bool>& i
       continue;
     }
     std::array<std::uint32_t, 3> ids = {welded[corner[0]], welded[corner[1]], welded[corner[2]]};
-    if (isDegenerate(mesh, corner, ids)) {
+    if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0]) {
       ++counts.degenerate;
       dropped[t] = true;
       continue;
     }
     std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
-    keys.push_back({{ids[0], ids[1], ids[2], mesh.primitiveOf[corner[0]]}, t});
+    (hasArea(mesh, corner) ? keys : flat).push_back({{ids[0], ids[1], ids[2], mesh.primitiveOf[corner[0]]}, t});
   }
+  keepBridges(flat, keys, dropped, counts);
   return keys;
 }
 
@@ -91,6 +129,38 @@ CleanCounts cleanMesh(CombinedMesh& mesh) {
   dropDuplicates(dropBroken(mesh, isFinite, dropped, counts), dropped, counts);
   removeTriangles(dropped, mesh.indices);
   return counts;
+}
+
+namespace {
+
+bool sameAttributes(const CombinedMesh& mesh, std::uint32_t a, std::uint32_t b) {
+  if (mesh.primitiveOf[a] != mesh.primitiveOf[b]) return false;
+  const PrimitiveData& primitive = mesh.primitives[mesh.primitiveOf[a]];
+  return std::all_of(primitive.attributes.begin(), primitive.attributes.end(), [&](const Attribute& attribute) {
+    if (attribute.name == "POSITION") return true;
+    const auto valuesOf = [&](std::uint32_t v) {
+      return attribute.values.data() + std::size_t{v - primitive.firstVertex} * attribute.components;
+    };
+    return std::equal(valuesOf(a), valuesOf(a) + attribute.components, valuesOf(b));
+  });
+}
+
+}  // namespace
+
+void shareEqualVertices(CombinedMesh& mesh) {
+  constexpr std::size_t kMostCandidates = 64;  // any number of different vertices may lie at one place
+  const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
+  std::vector<std::vector<std::uint32_t>> kept(mesh.positions.size());  // by welded vertex
+  std::vector<std::uint32_t> shared(mesh.positions.size());
+  for (std::uint32_t v = 0; v < shared.size(); ++v) {
+    std::vector<std::uint32_t>& candidates = kept[welded[v]];
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](std::uint32_t other) { return sameAttributes(mesh, other, v); });
+    shared[v] = found != candidates.end() ? *found : v;
+    if (shared[v] == v && candidates.size() < kMostCandidates) candidates.push_back(v);
+  }
+  for (std::uint32_t& index : mesh.indices)
+    index = shared[index];
 }
 
 }  // namespace jalousie::bake

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/mesh/back_sheets.h"
 #include "bake/mesh/weld.h"
 
 namespace jalousie::bake {
@@ -56,31 +57,42 @@ WedgeMesh makeWedges(const CombinedMesh& source) {
   WedgeMesh mesh;
   collectSlots(source, mesh);
   const std::vector<std::uint32_t> welded = weldByPosition(source.positions);
-  std::vector<std::uint32_t> vertexAt(source.positions.size(), kUnused);
-  std::vector<std::uint32_t> wedgeAt(source.positions.size(), kUnused);
+  std::vector<std::uint32_t> vertices;
+  vertices.reserve(source.indices.size());
+  for (const std::uint32_t index : source.indices)
+    vertices.push_back(welded[index]);
+  const std::vector<std::uint8_t> backs = findBackSheets(vertices);
+  const std::size_t sheets = backs.empty() ? 1 : 2;
+  std::vector<std::uint32_t> vertexAt(sheets * source.positions.size(), kUnused);
+  std::vector<std::uint32_t> wedgeAt(sheets * source.positions.size(), kUnused);
+  std::vector<std::uint32_t> indexOf;  // of each wedge in the source
   mesh.corners.reserve(source.indices.size());
-  for (const std::uint32_t index : source.indices) {
-    if (wedgeAt[index] == kUnused) {
-      std::uint32_t& vertex = vertexAt[welded[index]];
+  for (std::size_t c = 0; c < source.indices.size(); ++c) {
+    const std::uint32_t index = source.indices[c];
+    const std::size_t sheet = backs.empty() ? 0 : backs[c / 3];
+    std::uint32_t& wedge = wedgeAt[sheets * index + sheet];
+    if (wedge == kUnused) {
+      std::uint32_t& vertex = vertexAt[sheets * welded[index] + sheet];
       if (vertex == kUnused) {
         vertex = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.positions.push_back(source.positions[index]);
       }
-      wedgeAt[index] = static_cast<std::uint32_t>(mesh.vertexOf.size());
+      wedge = static_cast<std::uint32_t>(mesh.vertexOf.size());
       mesh.vertexOf.push_back(vertex);
       mesh.primitiveOf.push_back(source.primitiveOf[index]);
-      mesh.sourceWedge.push_back(wedgeAt[index]);
+      mesh.sourceWedge.push_back(wedge);
+      indexOf.push_back(index);
     }
-    mesh.corners.push_back(wedgeAt[index]);
+    mesh.corners.push_back(wedge);
   }
   mesh.attributes.assign(mesh.vertexOf.size() * mesh.stride, 0.0F);
   for (const PrimitiveData& primitive : source.primitives) {
     for (const Attribute& attribute : primitive.attributes) {
       if (attribute.name == "POSITION") continue;
       const AttributeSlot& slot = slotOf(mesh, attribute);
-      for (std::uint32_t v = 0; v < primitive.vertexCount; ++v) {
-        const std::uint32_t wedge = wedgeAt[primitive.firstVertex + v];
-        if (wedge == kUnused) continue;
+      for (std::uint32_t wedge = 0; wedge < indexOf.size(); ++wedge) {
+        const std::uint32_t v = indexOf[wedge] - primitive.firstVertex;  // wraps around for earlier primitives
+        if (indexOf[wedge] < primitive.firstVertex || v >= primitive.vertexCount) continue;
         std::copy_n(
             attribute.values.begin() + static_cast<std::ptrdiff_t>(std::size_t{v} * attribute.components),
             attribute.components,

@@ -227,7 +227,7 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
       ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program.add_flag("--lock-border", chain.collapse.lockBorder,
-                   "Keep the vertices of open borders in place, e.g. for terrain tiles");
+                   "Keep the vertices of open borders with all their attributes, e.g. for terrain tiles");
 }
 
 constexpr std::uint32_t kLeastPerCell = 64;
@@ -257,6 +257,32 @@ void addCellOption(CLI::App& program, CellOptions& cells) {
       ->check(CLI::Validator(check, ""))
       ->type_name(fmt::format("auto|{}|off", rangeText(kLeastPerCell, kMostPerCell)))
       ->default_str("auto");
+}
+
+/// Replaces the name of a budget by whether it is the scene's. @return  empty, or what is wrong with the name
+std::string budgetNumber(std::string& name) {
+  const std::string known = CLI::detail::to_lower(name);
+  if (known != "scene" && known != "mesh") return fmt::format("{} is not scene or mesh", name);
+  name = known == "scene" ? "true" : "false";
+  return {};
+}
+
+/// What is read from a document, and what its ratios refer to.
+void addMeshOptions(CLI::App& program, BakeOptions& bake) {
+  program
+      .add_option(
+          "--budget", bake.sceneBudget,
+          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
+          "in all meshes; with --preset draft always mesh")
+      ->transform(CLI::Validator(budgetNumber, ""))
+      ->type_name("scene|mesh")
+      ->default_str("scene");
+  program.add_option("--weld", bake.weld, "Weld vertices that are at most this far apart, object units [equal ones]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("DISTANCE");
+  program.add_flag(
+      "--keep-unused", bake.keepUnused,
+      "Keep attributes that no material uses in all levels, and weigh them; by default only LOD 0 has them");
 }
 
 /// What is done before and after the simplification.
@@ -290,6 +316,7 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
+  addMeshOptions(program, result.bake);
   addCellOption(program, result.bake.cells);
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");

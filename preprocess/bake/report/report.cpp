@@ -20,8 +20,16 @@ std::string findingsText(const MeshFindings& findings) {
   };
   note(findings.cleaned.notFinite, "triangles with NaN or infinite positions dropped");
   note(findings.cleaned.degenerate, "triangles without area dropped");
+  note(findings.cleaned.bridges, "triangles without area kept, because they join others");
   note(findings.cleaned.duplicate, "duplicate triangles dropped");
   note(findings.repairedValues, "NaN or infinite attribute values set to 0");
+  for (const std::string& name : findings.unusedAttributes)
+    text += fmt::format("  {} left out of the coarser levels: no material uses it (--keep-unused keeps it)\n",
+                        oneLine(name));
+  note(findings.cleaned.snapped, "vertices welded to others nearby");
+  if (findings.nearlyWelded > 0)
+    text += fmt::format("  {} vertices of open edges are within {:.1g} of others; --weld {:.1g} joins them\n",
+                        findings.nearlyWelded, findings.weldHint, findings.weldHint);
   note(findings.nonManifoldEdges, "non-manifold edges kept as they are");
   return text;
 }
@@ -75,7 +83,11 @@ std::string reportText(const std::vector<MeshReport>& meshes) {
     }
     const std::string cells = mesh.cells > 0 ? fmt::format(" of {} cells", mesh.cells) : "";
     text += fmt::format("{}: {} levels{}, {}\n", oneLine(mesh.name), mesh.levels.size(), cells, mesh.stopReason);
-    text += findingsText(mesh.findings) + levelsText(mesh);
+    text += findingsText(mesh.findings);
+    if (!mesh.removedParts.empty() && mesh.removedParts.back() > 0)
+      text += fmt::format("  {} of {} loose parts are left out of the last level\n", mesh.removedParts.back(),
+                          mesh.findings.looseParts);
+    text += levelsText(mesh);
   }
   return text;
 }
@@ -93,14 +105,20 @@ std::string reportJson(const std::vector<MeshReport>& meshes) {
     entry["passed_through"] = mesh.passedThrough;
     entry["not_finite"] = mesh.findings.cleaned.notFinite;
     entry["degenerate"] = mesh.findings.cleaned.degenerate;
+    entry["bridges"] = mesh.findings.cleaned.bridges;
     entry["duplicate"] = mesh.findings.cleaned.duplicate;
     entry["repaired_values"] = mesh.findings.repairedValues;
     entry["non_manifold_edges"] = mesh.findings.nonManifoldEdges;
     entry["open_edges"] = mesh.findings.openEdges;
+    entry["snapped"] = mesh.findings.cleaned.snapped;
+    entry["nearly_welded"] = mesh.findings.nearlyWelded;
     entry["loose_parts"] = mesh.findings.looseParts;
+    entry["unused_attributes"] = mesh.findings.unusedAttributes;
     entry["levels"] = ordered_json::array();
-    for (const asset::LodInfo& level : mesh.levels)
-      entry["levels"].push_back(levelJson(level, mesh.diagonal));
+    for (std::size_t k = 0; k < mesh.levels.size(); ++k) {
+      entry["levels"].push_back(levelJson(mesh.levels[k], mesh.diagonal));
+      entry["levels"].back()["removed_parts"] = k < mesh.removedParts.size() ? mesh.removedParts[k] : 0;
+    }
     json["meshes"].push_back(std::move(entry));
   }
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -11,10 +11,12 @@ namespace jalousie::bake {
 /// One table per mesh: errors in object units and % of the diagonal, normals in degrees, UV in texture space.
 std::string reportText(const std::vector<MeshReport>& meshes);
 /// {"meshes": [{"name", "nodes", "diagonal", "stop", "passed_through", "not_finite", "not_finite_passed_on",
-/// "degenerate", "duplicate",
-///   "repaired_values", "non_manifold_edges", "open_edges", "loose_parts",
+/// "degenerate", "bridges", "duplicate",
+///   "repaired_values", "non_manifold_edges", "open_edges", "snapped", "nearly_welded",
+///   "loose_parts", "unused_attributes": [name],
 ///   "levels": [{"lod", "triangles", "vertices", "error_object", "error_percent", "two_sided": D, "to_original": D,
-///     "from_original": D, "normal_degrees": S, "uv": S, "screen_coverage"}]}]}
+///     "from_original": D, "normal_degrees": S, "uv": S, "screen_coverage",
+///     "removed_parts"}]}]}
 /// with D = {"max", "mean", "max_percent", "mean_percent"} and S = {"mean", "p95"}
 std::string reportJson(const std::vector<MeshReport>& meshes);
 

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "bake/mesh/bounds.h"
+#include "bake/mesh/flat_shading.h"
+#include "bake/mesh/normals.h"
 #include "bake/simplify/collapse.h"
 #include "bake/simplify/draft.h"
 #include "bake/simplify/measure.h"
@@ -18,17 +20,23 @@
 namespace jalousie::bake {
 namespace {
 
+CollapseOptions collapseOptions(const ChainOptions& options, const std::vector<bool>& flat) {
+  CollapseOptions collapse = options.collapse;
+  if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
+  if (!flat.empty() && !collapse.normalWeight) collapse.normalWeight = 0.0;  // normals follow the triangles
+  return collapse;
+}
+
 /// Makes the levels of one chain, one after the other.
 class LevelMaker {
  public:
-  LevelMaker(const WedgeMesh& mesh, const ChainOptions& options) : finest_(mesh), options_(options) {
+  LevelMaker(const WedgeMesh& mesh, const ChainOptions& options)
+      : finest_(mesh), options_(options), flat_(flatPrimitives(mesh)) {
     if (options.preset == Preset::kDraft) {
       corners_ = mesh.corners;
       return;
     }
-    CollapseOptions collapse = options.collapse;
-    if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
-    collapser_ = std::make_unique<EdgeCollapser>(mesh, collapse);
+    collapser_ = std::make_unique<EdgeCollapser>(mesh, collapseOptions(options, flat_));
   }
 
   /// Collapses to a level of at most `target` triangles if the collapse allows it.
@@ -46,9 +54,16 @@ class LevelMaker {
     return level;
   }
 
-  /// Fits a level to the finest mesh, unless it is a draft. @pre the level has at least kMinLevelTriangles
+  std::uint32_t removedParts() const { return collapser_ ? collapser_->removedParts() : 0; }
+
+  /// Fits a level to the finest mesh and lets crowds of parts keep their area, unless it is a draft. Flat
+  /// primitives stay flat. @pre the level has at least kMinLevelTriangles
   void refit(const std::vector<std::uint32_t>& vertexMap, WedgeMesh& level) const {
-    if (collapser_) refitLevel(finest_, vertexMap, refitOptions(), level);
+    if (collapser_) {
+      refitLevel(finest_, vertexMap, refitOptions(), level);
+      if (!options_.collapse.lockBorder) growParts(collapser_->partClasses(), vertexMap, level);
+    }
+    restoreFlatShading(flat_, level);
   }
 
  private:
@@ -56,6 +71,7 @@ class LevelMaker {
     RefitOptions refit;
     refit.lockBorder = options_.collapse.lockBorder;
     refit.slices = options_.slices;
+    refit.partOfVertex = collapser_->partClasses().partOfVertex;
     if (options_.preset == Preset::kFast) {
       refit.rounds = 1;
       refit.samplesPerTriangle = 3;
@@ -80,21 +96,35 @@ class LevelMaker {
 
   const WedgeMesh& finest_;
   const ChainOptions& options_;
+  std::vector<bool> flat_;  ///< primitives
   std::unique_ptr<EdgeCollapser> collapser_;
   std::vector<std::uint32_t> corners_;  ///< drafts only
 };
 
-MeterOptions meterOptions(const ChainOptions& options) {
+/// The cost of the measure follows the size of the mesh; large meshes have the figures of the preset.
+MeterOptions meterOptions(const ChainOptions& options, std::uint32_t triangles, double diagonal) {
+  const bool best = options.preset == Preset::kBest;
   MeterOptions meter;
   meter.slices = options.slices;
+  meter.perTriangle = best ? 48 : 8;
+  meter.closeEnough = best ? 1.02 : 1.05;
   if (options.preset == Preset::kFast) meter.samples = 12000, meter.searches = 10000;
   if (options.preset == Preset::kDraft) meter.samples = 10000, meter.searches = 5000;
-  if (options.samples) meter.samples = *options.samples;
+  meter.searches = std::min(meter.searches, (best ? 16U : 4U) * std::min(16 + triangles, 1U << 20U));
+  meter.giveUp = options.untilLength.value_or(options.untilError * 0.01 * diagonal);
+  if (options.samples) meter.samples = *options.samples, meter.perTriangle = 0;
   return meter;
 }
 
-/// Wanted triangles of level k; 0 if the options ask for no such level.
+std::size_t levelsWanted(const ChainOptions& options) {
+  if (!options.targets.empty()) return options.targets.size() + 1;
+  return options.ratios.empty() ? std::size_t{options.levels} : options.ratios.size() + 1;
+}
+
+}  // namespace
+
 std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::size_t k) {
+  if (!options.targets.empty()) return k > options.targets.size() ? 0 : options.targets[k - 1];
   if (!options.ratios.empty()) {
     if (k > options.ratios.size()) return 0;
     return static_cast<std::uint32_t>(std::lround(finest * options.ratios[k - 1]));
@@ -107,13 +137,32 @@ std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::s
   return static_cast<std::uint32_t>(std::lround(finest * std::pow(ratio, static_cast<double>(k))));
 }
 
-}  // namespace
+std::vector<CostPoint> costCurve(const WedgeMesh& mesh, const ChainOptions& options) {
+  const bool isDraft = options.preset == Preset::kDraft;
+  JAL_CHECK(!isDraft);
+  EdgeCollapser collapser(mesh, collapseOptions(options, flatPrimitives(mesh)));
+  collapser.collapseTo(kMinLevelTriangles);
+  std::vector<CostPoint> costs = collapser.costs();
+  const double diagonal = boundsOf(mesh.positions).diagonal();
+  double area = 0.0;
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3)
+    area += triangleArea(mesh.positions[mesh.vertexAt(c)], mesh.positions[mesh.vertexAt(c + 1)],
+                         mesh.positions[mesh.vertexAt(c + 2)]);
+  if (!(area > 0.0)) return {};
+  // A cost is a squared distance times the area of a few triangles.
+  double last = 0.0;
+  for (CostPoint& point : costs) {
+    last = std::max(last, point.cost * std::pow(diagonal, 4.0) * point.triangles / area);
+    point.cost = last;
+  }
+  return costs;
+}
 
 LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
                      const std::function<void(std::uint32_t)>& progress) {
   JAL_CHECK(mesh.corners.size() >= 3U);
   LevelChain chain;
-  chain.levels.push_back({mesh, {}, 0.0});
+  chain.levels.push_back({mesh, {}});
   const std::uint32_t finest = mesh.triangles();
   const double diagonal = boundsOf(mesh.positions).diagonal();
   std::unique_ptr<LevelMaker> maker;
@@ -126,28 +175,28 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
     const ChainLevel& last = chain.levels.back();
     const std::size_t k = chain.levels.size();
     const std::uint32_t target = targetOf(options, finest, k);
-    if (target == 0 && k >= (options.ratios.empty() ? std::size_t{options.levels} : options.ratios.size() + 1))
-      return stop("all levels made");
+    if (target == 0 && k >= levelsWanted(options)) return stop("all levels made");
     if (options.untilTriangles && target < *options.untilTriangles)
       return stop(fmt::format("the next level would have fewer than {} triangles", *options.untilTriangles));
     if (target < kMinLevelTriangles || target >= last.mesh.triangles())
       return stop(fmt::format("the next level would have {} triangles", target));
     if (!maker) {
       maker = std::make_unique<LevelMaker>(mesh, options);
-      meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options));
+      meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options, finest, diagonal));
     }
     std::vector<std::uint32_t> vertexMap;
     const bool exactly = options.coarsest && k + 1 == options.levels;
-    ChainLevel next{maker->make(target, exactly, vertexMap), {}, 0.0};
+    ChainLevel next{maker->make(target, exactly, vertexMap), {}};
     const std::uint32_t triangles = next.mesh.triangles();
     if (triangles < kMinLevelTriangles)
       return stop(fmt::format("simplification fell below {} triangles", kMinLevelTriangles));
     if (triangles > last.mesh.triangles() * 0.95 && triangles > target)
       return stop(fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles));
+    next.removedParts = maker->removedParts();
     maker->refit(vertexMap, next.mesh);
     next.deviation = meter->measure(next.mesh, vertexMap);
     next.errorMax = std::max(next.deviation.twoSided.max, last.errorMax);
-    if (next.errorMax > options.untilError * 0.01 * diagonal)
+    if (next.errorMax > options.untilLength.value_or(options.untilError * 0.01 * diagonal))
       return stop(fmt::format("the next level, of {} triangles, would be off by {:.3g} % of the diagonal", triangles,
                               100.0 * next.errorMax / diagonal));
     chain.levels.push_back(std::move(next));

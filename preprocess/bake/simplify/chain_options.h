@@ -23,8 +23,10 @@ struct ChainOptions {
   std::uint32_t levels = 10;                    ///< at most, LOD 0 included
   double ratio = 0.5;                           ///< triangles of a level over those of the one before
   std::vector<double> ratios;                   ///< triangles of LOD 1, 2, ... over those of LOD 0; replaces ratio
+  std::vector<std::uint32_t> targets;           ///< triangles of LOD 1, 2, ..., descending; replaces ratios
   std::optional<std::uint32_t> coarsest;        ///< triangles of the last level; replaces ratio
   double untilError = 25.0;                     ///< no level with a larger maximum, % of the diagonal
+  std::optional<double> untilLength;            ///< object-space length that replaces untilError
   std::optional<std::uint32_t> untilTriangles;  ///< no level with fewer triangles
   CollapseOptions collapse;
   std::optional<std::uint32_t> samples;  ///< points per surface for the measures; the preset decides otherwise

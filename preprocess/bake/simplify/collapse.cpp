@@ -18,9 +18,7 @@ namespace jalousie::bake {
 namespace {
 
 constexpr std::uint32_t kNone = ~0U;
-/// The cost of removing a loose part is this factor times its area times its squared radius: unlike a collapsed edge, a
-/// removed part leaves no surface nearby.
-constexpr double kPartWeight = 16.0;
+
 std::vector<glm::dvec3> unitFrame(const WedgeMesh& mesh) {
   const Aabb box = boundsOf(mesh.positions);
   const glm::dvec3 center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
@@ -44,15 +42,20 @@ struct EdgeCollapser::State {
         checks(source, positions, error, topology),
         parts(findLooseParts(mesh)),
         parent(mesh.positions.size()),
+        placeOf(mesh.positions.size()),
         version(mesh.positions.size(), 0),
         singleWedge(mesh.positions.size(), kNone),
         onBorder(mesh.positions.size(), 0),
         locked(mesh.positions.size(), 0),
         seen(mesh.positions.size(), 0) {
     std::iota(parent.begin(), parent.end(), 0U);
+    std::iota(placeOf.begin(), placeOf.end(), 0U);
     const Aabb box = boundsOf(mesh.positions);
     scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
     center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
+    classes = classifyParts(mesh, edges, parts, scale);
+    for (const LoosePart& part : parts.parts)
+      aliveOfPart.push_back(part.faceCount);
     for (const MeshEdge& edge : edges.edges) {
       if (edge.kind != EdgeKind::kBorder) continue;
       for (const std::uint32_t v : {edge.a, edge.b}) {
@@ -79,12 +82,8 @@ struct EdgeCollapser::State {
   void fillQueue() {
     for (const MeshEdge& edge : edges.edges)
       if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
-    for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
-      const LoosePart& part = parts.parts[p];
-      const double radius = part.radius / scale;
-      if (p != parts.largest)
-        queue.push({static_cast<float>(kPartWeight * part.area / (scale * scale) * radius * radius), p, kNone, 0});
-    }
+    for (std::uint32_t p = 0; p < parts.parts.size(); ++p)
+      if (p != parts.largest) queue.push({static_cast<float>(classes.costs[p]), p, kNone, 0});
   }
 
   std::optional<Candidate> assess(std::uint32_t u, std::uint32_t v) {
@@ -132,7 +131,8 @@ struct EdgeCollapser::State {
   Outcome tryCollapse(const Candidate& candidate) {
     const std::uint32_t u = candidate.u;
     const std::uint32_t v = candidate.v;
-    if (!topology.canCollapse(u, v, onBorder[u] != 0 && onBorder[v] != 0)) return Outcome::kIllegal;
+    if (!relaxed && !topology.canCollapse(u, v, onBorder[u] != 0 && onBorder[v] != 0)) return Outcome::kIllegal;
+    if (endsPart(u, v)) return Outcome::kIllegal;
     WedgeMerge merge;
     if (!checks.gather(u, v, singleWedge, merge)) return Outcome::kIllegal;
     const Quadric quadric = error.merged(u, v, merge);
@@ -142,6 +142,7 @@ struct EdgeCollapser::State {
       if (!checks.keepsFacing(u, v, place.p)) continue;
       const double along = length2 > 0.0 ? std::clamp(glm::dot(place.p - positions[u], edge) / length2, 0.0, 1.0) : 0.5;
       error.attributesAt(place.p, along, merge, values);
+      if (!keepLocked(u, v, merge)) return Outcome::kIllegal;
       if (!checks.keepsTexture(u, v, merge, values)) continue;
       const auto cost = static_cast<float>(place.cost);
       if (cost > candidate.cost * 1.0001F) {  // costs more than its queue entry: insert it again
@@ -154,11 +155,36 @@ struct EdgeCollapser::State {
     return Outcome::kIllegal;
   }
 
+  /// Gives each group of wedges the attributes that it has at a locked vertex. False if they differ there.
+  bool keepLocked(std::uint32_t u, std::uint32_t v, const WedgeMerge& merge) {
+    if (locked[u] == 0 && locked[v] == 0) return true;
+    const std::uint8_t side = locked[v] != 0 ? 1 : 0;
+    std::array<std::uint32_t, WedgeMerge::kMost> kept;
+    kept.fill(kNone);
+    for (std::size_t i = 0; i < merge.count; ++i) {
+      if (merge.fromV[i] != side) continue;
+      std::uint32_t& wedge = kept[merge.group[i]];
+      if (wedge != kNone) return false;
+      wedge = merge.wedges[i];
+      std::copy_n(error.attributes(wedge), source.stride,
+                  values.begin() + static_cast<std::ptrdiff_t>(std::size_t{merge.group[i]} * source.stride));
+    }
+    return true;
+  }
+
+  /// Whether the collapse would leave nothing of a loose part. Parts go as a whole, at their own cost.
+  bool endsPart(std::uint32_t u, std::uint32_t v) {
+    const std::uint32_t alive = aliveOfPart[classes.partOfVertex[u]];
+    return alive <= 16 && topology.sharedFaces(u, v) == alive;
+  }
+
   void apply(std::uint32_t u, std::uint32_t v, const glm::dvec3& p, const WedgeMerge& merge) {
     error.commit(u, v, merge, values);
     topology.forEachCorner(u, [&](std::uint32_t corner) {
       const auto [a, b] = CollapseTopology::others(corner);
-      if (topology.vertexAt(a) == v || topology.vertexAt(b) == v) topology.remove(corner / 3);
+      if (topology.vertexAt(a) != v && topology.vertexAt(b) != v) return;
+      topology.remove(corner / 3);
+      --aliveOfPart[classes.partOfVertex[u]];
     });
     std::array<std::uint32_t, WedgeMerge::kMost> representative;
     representative.fill(kNone);
@@ -173,6 +199,7 @@ struct EdgeCollapser::State {
       });
     }
     topology.merge(u, v);
+    placeOf[u] = p == positions[u] ? placeOf[u] : p == positions[v] ? placeOf[v] : kNone;
     positions[u] = p;
     parent[v] = u;
     onBorder[u] = onBorder[u] | onBorder[v];
@@ -210,6 +237,8 @@ struct EdgeCollapser::State {
       }
       topology.remove(face);
     }
+    aliveOfPart[p] = 0;
+    ++removedParts;
     return Outcome::kDone;
   }
 
@@ -217,13 +246,25 @@ struct EdgeCollapser::State {
     return candidate.v != kNone && version[candidate.u] + version[candidate.v] != candidate.version;
   }
 
+  /// Points are 2 % apart.
+  void noteCost(double cost) {
+    if (costs.empty() || cost > 1.02 * costs.back().cost) {
+      costs.push_back({topology.faces(), cost});
+    } else {
+      costs.back().triangles = topology.faces();
+    }
+  }
+
   void run(std::uint32_t target) {
-    const std::uint32_t least = std::max(kMinLevelTriangles, target - target / 20);
+    std::uint32_t least = std::max(kMinLevelTriangles, target - target / 20);
+    relaxed = false;
     std::vector<Candidate> waiting;  // illegal now; retried after their surroundings have changed
     std::uint32_t facesAtRetry = topology.faces();
     while (topology.faces() > target) {
       if (queue.empty()) {
-        if (waiting.empty() || topology.faces() == facesAtRetry) break;
+        if (waiting.empty() || (relaxed && topology.faces() == facesAtRetry)) break;
+        // Nothing legal is left: from here on the level may change its topology and have fewer triangles than asked.
+        if (topology.faces() == facesAtRetry) relaxed = true, least = kMinLevelTriangles;
         facesAtRetry = topology.faces();
         for (const Candidate& candidate : waiting)
           queue.push(candidate);
@@ -234,6 +275,7 @@ struct EdgeCollapser::State {
       if (isStale(candidate)) continue;
       const Outcome outcome = candidate.v == kNone ? removePart(candidate.u, least) : tryCollapse(candidate);
       if (outcome == Outcome::kIllegal) waiting.push_back(candidate);
+      if (outcome == Outcome::kDone) noteCost(double{candidate.cost});
     }
     for (const Candidate& candidate : waiting)
       queue.push(candidate);
@@ -246,12 +288,18 @@ struct EdgeCollapser::State {
   CollapseTopology topology;
   CollapseChecks checks;
   LooseParts parts;
+  PartClasses classes;
+  std::vector<std::uint32_t> aliveOfPart;  ///< faces
   std::vector<std::uint32_t> parent;       ///< vertex it was merged into
+  std::vector<std::uint32_t> placeOf;      ///< vertex of the source whose position it has bit for bit, or kNone
   std::vector<std::uint32_t> version;      ///< collapses that went into it
   std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
   std::vector<std::uint8_t> onBorder, locked;
   std::vector<std::uint32_t> seen, neighbours;
   std::uint32_t generation = 0;
+  std::uint32_t removedParts = 0;
+  std::vector<CostPoint> costs;
+  bool relaxed = false;  ///< collapses may change the topology
   CollapseQueue queue;
   std::vector<float> values;
   glm::dvec3 center{0.0};
@@ -283,7 +331,9 @@ WedgeMesh EdgeCollapser::mesh() const {
     const std::uint32_t w = state.topology.wedgeAt(c);
     if (vertexAt[v] == kNone) {
       vertexAt[v] = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.emplace_back(state.center + state.scale * state.positions[v]);
+      const std::uint32_t place = state.placeOf[v];
+      mesh.positions.push_back(place != kNone ? state.source.positions[place]
+                                              : glm::vec3(state.center + state.scale * state.positions[v]));
     }
     if (wedgeAt[w] == kNone) {
       wedgeAt[w] = static_cast<std::uint32_t>(mesh.vertexOf.size());
@@ -295,6 +345,18 @@ WedgeMesh EdgeCollapser::mesh() const {
     mesh.corners.push_back(wedgeAt[w]);
   }
   return mesh;
+}
+
+const std::vector<CostPoint>& EdgeCollapser::costs() const {
+  return state_->costs;
+}
+
+std::uint32_t EdgeCollapser::removedParts() const {
+  return state_->removedParts;
+}
+
+const PartClasses& EdgeCollapser::partClasses() const {
+  return state_->classes;
 }
 
 std::vector<std::uint32_t> EdgeCollapser::vertexMap() const {

@@ -7,8 +7,15 @@
 
 #include "bake/mesh/wedge_mesh.h"
 #include "bake/simplify/collapse_options.h"
+#include "bake/simplify/part_classes.h"
 
 namespace jalousie::bake {
+
+/// A point of the curve of cost over triangles.
+struct CostPoint {
+  std::uint32_t triangles = 0;
+  double cost = 0.0;
+};
 
 /// Collapses edges in the order of their error. To make a chain, call collapseTo with descending targets.
 /// The error of a position is the area-weighted squared distance to the planes of all triangles that were merged into
@@ -25,15 +32,24 @@ class EdgeCollapser {
   EdgeCollapser& operator=(const EdgeCollapser&) = delete;
 
   /// Collapses until at most `target` triangles are left or no collapse is legal. A loose part that is smaller than the
-  /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles.
+  /// current error is removed as a whole, except the largest part, and never below kMinLevelTriangles. The costs and
+  /// the order of removals are those of part_classes.h. If nothing legal is left above the target, edges are collapsed
+  /// and parts removed without regard to the topology and to a count somewhat below the target.
   void collapseTo(std::uint32_t target);
   std::uint32_t triangles() const;
   /// The current mesh.
   WedgeMesh mesh() const;
 
+  /// What was collapsed so far: triangles that were left when no collapse or removal of a lower cost was. The costs
+  /// ascend; they are squared distances times areas, in the unit frame.
+  const std::vector<CostPoint>& costs() const;
+
   static constexpr std::uint32_t kGone = ~0U;
   /// For each vertex of the source: the vertex of mesh() that it became, or kGone.
   std::vector<std::uint32_t> vertexMap() const;
+  const PartClasses& partClasses() const;
+  /// Loose parts that were removed as a whole so far.
+  std::uint32_t removedParts() const;
 
  private:
   struct State;

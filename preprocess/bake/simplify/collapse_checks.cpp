@@ -103,6 +103,7 @@ bool CollapseChecks::keepsFacing(std::uint32_t u, std::uint32_t v, const glm::dv
       const glm::dvec3& pb = positions_[topology_.vertexAt(b)];
       const glm::dvec3 before = glm::cross(pa - positions_[moved], pb - positions_[moved]);
       const glm::dvec3 after = glm::cross(pa - p, pb - p);
+      if (!(glm::dot(before, before) > 0.0)) return;  // a triangle without area faces nowhere
       const double length2 = glm::dot(before, before) * glm::dot(after, after);
       const double cosine = glm::dot(before, after);
       good = cosine > 0.0 && cosine * cosine > kLeastTurn * kLeastTurn * length2;

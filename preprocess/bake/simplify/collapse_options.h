@@ -15,7 +15,7 @@ struct CollapseOptions {
   std::optional<double> normalWeight;  ///< 1 if absent, 0 in the preset `fast`
   double uvWeight = 1.0;
   double colorWeight = 1.0;
-  bool lockBorder = false;  ///< vertices of open borders do not move
+  bool lockBorder = false;  ///< vertices of open borders keep position and attributes
 };
 
 }  // namespace jalousie::bake

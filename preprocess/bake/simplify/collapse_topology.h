@@ -51,6 +51,15 @@ class CollapseTopology {
   /// Whether edge uv may be collapsed: the vertices adjacent to both ends are exactly those opposite the edge (link
   /// condition), two sheets are not folded onto each other, and a border stays a border.
   bool canCollapse(std::uint32_t u, std::uint32_t v, bool bothOnBorder);
+  /// Faces at edge uv.
+  std::uint32_t sharedFaces(std::uint32_t u, std::uint32_t v) {
+    std::uint32_t shared = 0;
+    forEachCorner(u, [&](std::uint32_t corner) {
+      const auto [a, b] = others(corner);
+      shared += vertexAt_[a] == v || vertexAt_[b] == v ? 1U : 0U;
+    });
+    return shared;
+  }
   /// Removes a face.
   void remove(std::uint32_t face);
   /// Moves every live corner of v to u. @pre the faces of both were removed

@@ -17,7 +17,8 @@ constexpr double kDamping = 0.02;     // relative to the weight of the samples o
 constexpr std::uint32_t kSteps = 24;  // of conjugate gradients
 constexpr double kTolerance = 1e-3;   // of the residual
 constexpr double kSameSide = 0.3;     // least cosine between the normals of a sample and of the triangle it lands on
-constexpr std::size_t kLeastSamples = 20000;
+constexpr std::size_t kLeastSamples = 20000;  // or kLeastPerTriangle, if fewer
+constexpr std::size_t kLeastPerTriangle = 8;  // of the original: samples see every triangle
 
 /// A sample of the original and where it lands on the level.
 struct Landing {
@@ -25,6 +26,8 @@ struct Landing {
   glm::vec3 normal;
   glm::vec3 barycentric;
   std::uint32_t triangle;
+  std::uint32_t part;
+  bool counts = true;
 };
 
 /// The normal equations of sum |sum_k b_k x_k - s|^2: one symmetric 3x3 block of weights per triangle.
@@ -151,24 +154,48 @@ void land(const WedgeMesh& level, std::span<const std::uint32_t> indices, const 
 }
 
 std::vector<Landing> sampleOriginal(const WedgeMesh& original, std::span<const std::uint32_t> vertexMap,
-                                    const WedgeMesh& level, std::size_t count, const SliceRunner& slices) {
+                                    const WedgeMesh& level, std::size_t count, const RefitOptions& options) {
+  const std::span<const std::uint32_t> partOfVertex = options.partOfVertex;
   const std::vector<std::uint32_t> triangleAt = triangleOfVertex(level);
   const AttributeSlot* normals = original.slot("NORMAL");
   const std::vector<SurfaceSample> samples = sampleSurface(original, count);
   std::vector<Landing> landings(samples.size());
-  slices(samples.size(), [&](std::size_t begin, std::size_t end) {
+  options.slices(samples.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t t = samples[i].triangle;
+      const std::uint32_t first = original.vertexAt(3 * std::size_t{t});
       std::uint32_t seed = TriangleBvh::kNoSeed;
       for (std::size_t k = 0; k < 3 && seed == TriangleBvh::kNoSeed; ++k) {
         const std::uint32_t v = vertexMap[original.vertexAt(3 * std::size_t{t} + k)];
         if (v != ~0U) seed = triangleAt[v];
       }
       landings[i] = {positionAt(original, t, samples[i].barycentric),
-                     shadingNormalAt(original, normals, t, samples[i].barycentric), glm::vec3(0.0F), seed};
+                     shadingNormalAt(original, normals, t, samples[i].barycentric), glm::vec3(0.0F), seed,
+                     partOfVertex.empty() ? 0 : partOfVertex[first]};
     }
   });
   return landings;
+}
+
+/// Leaves out the samples that the level cannot fit. @param partOfLevel  of each vertex of the level; empty: one part
+void choose(const WedgeMesh& level, std::span<const std::uint32_t> indices, std::span<const std::uint32_t> partOfLevel,
+            std::vector<Landing>& landings) {
+  constexpr double kFar = 20.0;  // times the root of the mean squared distance
+  std::vector<double> distances2(landings.size(), 0.0);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    Landing& landing = landings[i];
+    landing.counts = partOfLevel.empty() || partOfLevel[indices[3 * std::size_t{landing.triangle}]] == landing.part;
+    if (!landing.counts) continue;
+    const glm::dvec3 off =
+        glm::dvec3(landing.point) - glm::dvec3(positionAt(level, landing.triangle, landing.barycentric));
+    sum += distances2[i] = glm::dot(off, off);
+    ++count;
+  }
+  const double most = kFar * kFar * sum / static_cast<double>(std::max<std::size_t>(count, 1));
+  for (std::size_t i = 0; i < landings.size(); ++i)
+    landings[i].counts = landings[i].counts && distances2[i] <= most;
 }
 
 glm::dvec3 normalOfTriangle(const std::vector<glm::vec3>& positions, std::span<const std::uint32_t> indices,
@@ -183,6 +210,7 @@ void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint3
     bool again = false;
     for (std::size_t t = 0; t < indices.size() / 3; ++t) {
       const glm::dvec3 old = normalOfTriangle(before, indices, t);
+      if (old == glm::dvec3(0.0)) continue;  // a triangle without area faces nowhere
       if (glm::dot(old, normalOfTriangle(after, indices, t)) >= kSameSide) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = indices[3 * t + k];
@@ -199,6 +227,7 @@ void fitPositions(std::span<const std::uint32_t> indices, const std::vector<Land
                   std::span<const std::uint8_t> fixed, WedgeMesh& level) {
   Equations equations(level.positions.size(), indices);
   for (const Landing& landing : landings) {
+    if (!landing.counts) continue;
     const glm::dvec3 normal = normalOfTriangle(level.positions, indices, landing.triangle);
     if (glm::dot(normal, glm::dvec3(landing.normal)) < kSameSide) continue;
     const glm::dvec3 here(positionAt(level, landing.triangle, landing.barycentric));
@@ -214,7 +243,7 @@ void fitPositions(std::span<const std::uint32_t> indices, const std::vector<Land
 }
 
 void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landing>& landings, const AttributeSlot& slot,
-                WedgeMesh& level) {
+                std::span<const std::uint8_t> fixed, WedgeMesh& level) {
   const auto normalAt = [&](std::uint32_t wedge) {
     const glm::dvec3 n(level.vec3At(wedge, slot));
     const double length = glm::length(n);
@@ -222,6 +251,7 @@ void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landin
   };
   Equations equations(level.vertexOf.size(), level.corners);
   for (const Landing& landing : landings) {
+    if (!landing.counts) continue;
     const glm::dvec3 face = normalOfTriangle(level.positions, indices, landing.triangle);
     if (glm::dot(face, glm::dvec3(landing.normal)) < kSameSide) continue;
     glm::dvec3 here(0.0);
@@ -230,8 +260,11 @@ void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landin
               normalAt(level.corners[3 * std::size_t{landing.triangle} + static_cast<std::size_t>(k)]);
     equations.add(landing.triangle, landing.barycentric, glm::dvec3(landing.normal) - here);
   }
+  for (std::uint32_t w = 0; w < level.vertexOf.size(); ++w)
+    if (fixed[level.vertexOf[w]] != 0) equations.fix(w);
   const std::vector<glm::dvec3> changes = equations.solve();
   for (std::uint32_t w = 0; w < changes.size(); ++w) {
+    if (fixed[level.vertexOf[w]] != 0) continue;
     const glm::dvec3 fitted = normalAt(w) + changes[w];
     const double length = glm::length(fitted);
     if (!(length > 1e-6)) continue;
@@ -253,17 +286,25 @@ void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertex
   }
   const std::size_t wanted = std::size_t{options.samplesPerTriangle} * level.triangles();
   const auto most = static_cast<std::size_t>(options.mostSamples * original.triangles());
+  const std::size_t least = std::min(kLeastSamples, kLeastPerTriangle * original.triangles());
   std::vector<Landing> landings =
-      sampleOriginal(original, vertexMap, level, std::max(std::min(wanted, most), kLeastSamples), options.slices);
+      sampleOriginal(original, vertexMap, level, std::max(std::min(wanted, most), least), options);
   if (landings.empty()) return;
+  std::vector<std::uint32_t> partOfLevel(options.partOfVertex.empty() ? 0 : level.positions.size(), 0);
+  for (std::size_t v = 0; v < options.partOfVertex.size(); ++v)
+    if (vertexMap[v] != ~0U) partOfLevel[vertexMap[v]] = options.partOfVertex[v];
   for (std::uint32_t round = 0; round < options.rounds; ++round) {
     land(level, indices, options.slices, landings);
+    choose(level, indices, partOfLevel, landings);
     fitPositions(indices, landings, fixed, level);
   }
   const AttributeSlot* normals = level.slot("NORMAL");
   if (!options.normals || normals == nullptr || normals->components != 3) return;
-  if (options.rounds != 1) land(level, indices, options.slices, landings);
-  fitNormals(indices, landings, *normals, level);
+  if (options.rounds != 1) {
+    land(level, indices, options.slices, landings);
+    choose(level, indices, partOfLevel, landings);
+  }
+  fitNormals(indices, landings, *normals, fixed, level);
 }
 
 }  // namespace jalousie::bake
