@@ -33,6 +33,11 @@ bool holdsFiniteNumbers(const tinygltf::Model& model, int accessor);
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint32_t vertexCount,
                                        std::uint64_t maxElements);
 
+/// A model with one accessor, number 0: some elements of another one, of the same type, without a sparse block. Costs
+/// follow the number of elements, except for sparse accessors. Errors: kMalformed (an element out of range), kLimit.
+tinygltf::Model extractElements(const tinygltf::Model& model, int accessor, std::span<const std::uint32_t> elements,
+                                std::uint64_t maxElements);
+
 // Writers. Data goes to the end of buffer 0 (made if absent), four-byte aligned, one buffer view per accessor.
 // @param target  bufferView.target: TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER or 0 (none)
 // @return        the new accessor's index

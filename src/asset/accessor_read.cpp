@@ -120,6 +120,38 @@ std::vector<Vector> readVectors(const tinygltf::Model& model, int accessor, std:
 
 }  // namespace
 
+tinygltf::Model extractElements(const tinygltf::Model& model, int accessor, std::span<const std::uint32_t> elements,
+                                std::uint64_t maxElements) {
+  Elements base = detail::baseElements(model, accessor, maxElements);
+  const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
+  const std::uint32_t size = detail::elementBytes(source.type, source.componentType);
+  std::vector<std::byte> packed;
+  if (source.sparse.isSparse) {
+    packed = packedBytes(model, accessor, maxElements);
+    base.data = packed.data();
+    base.stride = size;
+  }
+  tinygltf::Model part;
+  part.buffers.emplace_back();
+  part.buffers[0].data.resize(elements.size() * size);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i] >= base.count)
+      malformed(fmt::format("accessor {}: element {} of {}", accessor, elements[i], base.count));
+    if (base.data != nullptr)
+      std::memcpy(part.buffers[0].data.data() + i * size, base.data + elements[i] * base.stride, size);
+  }
+  part.bufferViews.emplace_back();
+  part.bufferViews[0].buffer = 0;
+  part.bufferViews[0].byteLength = part.buffers[0].data.size();
+  part.accessors.emplace_back();
+  part.accessors[0].bufferView = 0;
+  part.accessors[0].type = source.type;
+  part.accessors[0].componentType = source.componentType;
+  part.accessors[0].normalized = source.normalized;
+  part.accessors[0].count = elements.size();
+  return part;
+}
+
 std::vector<float> readScalars(const tinygltf::Model& model, int accessor, std::uint64_t maxElements) {
   requireType(model, accessor, {TINYGLTF_TYPE_SCALAR});
   const std::vector<glm::vec1> vectors = readVectors<glm::vec1>(model, accessor, maxElements, 0.0F);

@@ -60,6 +60,7 @@ std::vector<MeshReport> bakeIt(tinygltf::Model& model) {
   BakeOptions options;
   options.chain.levels = 5;
   options.chain.samples = 1000;
+  options.keepUnused = true;  // no material of the document has a texture
   return bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {});
 }
 
@@ -203,6 +204,94 @@ TEST(BakeDocument, NumbersThatAreNotFiniteInPassedMeshesAreRefused) {
       EXPECT_NE(std::string(error.what()).find("points, lines or strips"), std::string::npos) << error.what();
     }
   }
+}
+
+/// A bent panel whose squares are separate charts, as automatic unwrapping leaves them. Its material has no texture.
+tinygltf::Model panelOfCharts(std::uint32_t n) {
+  asset::Primitive panel;
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const auto first = static_cast<std::uint32_t>(panel.positions.size());
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        panel.positions.emplace_back(static_cast<float>(x + k % 2), static_cast<float>(y + k / 2), 0.0F);
+        panel.normals.emplace_back(0.0F, 0.0F, 1.0F);
+        panel.uvs.emplace_back(static_cast<float>(7 * x + 3 * y + k % 2) * 0.01F, static_cast<float>(k / 2) * 0.01F);
+      }
+      panel.indices.insert(panel.indices.end(), {first, first + 1, first + 3, first, first + 3, first + 2});
+    }
+  }
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  model.materials.resize(1);
+  model.meshes.resize(1);
+  model.meshes[0].primitives = {primitiveOf(model, panel, 0)};
+  model.nodes.resize(1);
+  model.nodes[0].mesh = 0;
+  model.scenes.resize(1);
+  model.scenes[0].nodes = {0};
+  return model;
+}
+
+std::vector<MeshReport> bakeHalves(tinygltf::Model& model, bool keepUnused) {
+  BakeOptions options;
+  options.chain.ratios = {0.5, 0.1};
+  options.keepUnused = keepUnused;
+  return bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {});
+}
+
+const tinygltf::Primitive& levelPrimitive(const tinygltf::Model& model, int k) {
+  const int node = k == 0 ? 0 : asset::lodNodes(model, 0).at(static_cast<std::size_t>(k) - 1);
+  return model.meshes.at(static_cast<std::size_t>(model.nodes.at(static_cast<std::size_t>(node)).mesh))
+      .primitives.at(0);
+}
+
+TEST(UnusedAttributes, DoNotHoldAFlatPanelTogether) {
+  tinygltf::Model model = panelOfCharts(10);
+  const MeshReport report = bakeHalves(model, false).at(0);
+  ASSERT_EQ(report.levels.size(), 3U);
+  EXPECT_LE(report.levels[2].triangles, 20U);
+  EXPECT_LT(report.levels[2].errorObject, 1e-5 * report.diagonal);
+  EXPECT_EQ(report.findings.unusedAttributes, std::vector<std::string>{"TEXCOORD_0"});
+  EXPECT_NE(reportText({report}).find("TEXCOORD_0 left out"), std::string::npos);
+  // Nothing is lost at LOD 0.
+  const auto& finest = levelPrimitive(model, 0).attributes;
+  EXPECT_TRUE(finest.contains("TEXCOORD_0"));
+  EXPECT_EQ(model.accessors[static_cast<std::size_t>(finest.at("POSITION"))].count, 400U);
+  EXPECT_FALSE(levelPrimitive(model, 1).attributes.contains("TEXCOORD_0"));
+}
+
+TEST(UnusedAttributes, AreKeptOnRequestAndWhereATextureReadsThem) {
+  tinygltf::Model kept = panelOfCharts(6);
+  EXPECT_TRUE(bakeHalves(kept, true).at(0).findings.unusedAttributes.empty());
+  EXPECT_TRUE(levelPrimitive(kept, 1).attributes.contains("TEXCOORD_0"));
+  const auto survives = [](const std::function<void(tinygltf::Model&)>& change) {
+    tinygltf::Model model = panelOfCharts(6);
+    change(model);
+    return bakeHalves(model, false).at(0).findings.unusedAttributes.empty() &&
+           levelPrimitive(model, 1).attributes.contains("TEXCOORD_0");
+  };
+  using tinygltf::Value;
+  const auto object = [](const std::string& key, const Value& value) { return Value(Value::Object{{key, value}}); };
+  EXPECT_TRUE(survives([](tinygltf::Model& model) { model.materials[0].emissiveTexture.index = 0; }));
+  EXPECT_TRUE(survives([](tinygltf::Model& model) { model.meshes[0].primitives[0].material = -1; }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // a texture of an extension
+    model.materials[0].extensions["KHR_materials_sheen"] = object("sheenColorTexture", object("index", Value(0)));
+  }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // the transform chooses another set
+    model.materials[0].normalTexture.index = 0;
+    model.materials[0].normalTexture.texCoord = 1;
+    model.materials[0].normalTexture.extensions["KHR_texture_transform"] = object("texCoord", Value(0));
+  }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // a variant has the texture
+    model.materials.resize(2);
+    model.materials[1].pbrMetallicRoughness.baseColorTexture.index = 0;
+    model.meshes[0].primitives[0].extensions["KHR_materials_variants"] =
+        object("mappings", Value(Value::Array{object("material", Value(1))}));
+  }));
+  EXPECT_FALSE(survives([](tinygltf::Model& model) {
+    model.materials[0].emissiveTexture.index = 0;
+    model.materials[0].emissiveTexture.texCoord = 1;
+  }));
 }
 
 }  // namespace

@@ -129,5 +129,44 @@ TEST(Deviation, NoRandomPointIsFurtherThanTheMaximum) {
   }
 }
 
+class AtEveryScale : public testing::TestWithParam<Preset> {};
+INSTANTIATE_TEST_SUITE_P(Presets, AtEveryScale, testing::Values(Preset::kBest, Preset::kFast, Preset::kDraft));
+
+TEST_P(AtEveryScale, TheStoredMaximumIsTheSameShareOfTheDiagonal) {
+  // Squares of squares of these lengths are out of the range of single precision.
+  asset::Primitive source = test::sphere(64, 32);
+  ChainOptions options;
+  options.preset = GetParam();
+  const LevelChain unit = makeChain(test::wedges(source), options);
+  ASSERT_GE(unit.levels.size(), 6U);
+  for (const int exponent : {-30, -20, 23, 40}) {  // 1e-9, 1e-6, a planet, 1e12
+    const float scale = std::ldexp(1.0F, exponent);
+    asset::Primitive scaled = source;
+    for (glm::vec3& p : scaled.positions)
+      p *= scale;
+    const LevelChain chain = makeChain(test::wedges(scaled), options);
+    ASSERT_EQ(chain.levels.size(), unit.levels.size()) << scale;
+    for (std::size_t k = 1; k < 6; ++k) {
+      EXPECT_NEAR(chain.levels[k].errorMax / scale, unit.levels[k].errorMax, 1e-4 * unit.levels[k].errorMax)
+          << scale << " level " << k;
+    }
+  }
+}
+
+TEST(TriangleBvh, FindsTheNearestPointAtEveryScale) {
+  for (const float scale : {1e-12F, 1e-9F, 1e9F, 1e15F}) {
+    asset::Primitive source = test::sphere(40, 20);
+    for (glm::vec3& p : source.positions)
+      p *= scale;
+    const TriangleBvh bvh(source.positions, source.indices);
+    Random random(11);
+    for (int i = 0; i < 200; ++i) {
+      const glm::vec3 direction =
+          glm::normalize(glm::vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) + 1e-3F));
+      ASSERT_NEAR(bvh.distance(2.0F * scale * direction) / scale, 1.0, 0.02) << scale;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace jalousie::bake

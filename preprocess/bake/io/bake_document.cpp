@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "asset/accessor.h"
@@ -14,6 +15,7 @@
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
+#include "bake/io/unused_attributes.h"
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/clean.h"
 #include "bake/mesh/hard_edges.h"
@@ -101,11 +103,12 @@ void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<i
 }
 
 /// Refuses a mesh that is passed on as it is but holds numbers that are NaN or infinite. @param reason  why it is
-void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason) {
-  std::set<int> accessors;  // primitives may share them
+/// @param known  accessors that are finite; meshes may share them
+void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const std::string& reason,
+                   std::set<int>& known) {
   const auto check = [&](const std::map<std::string, int>& attributes) {
     for (const auto& [name, accessor] : attributes) {
-      if (!accessors.insert(accessor).second) continue;
+      if (!known.insert(accessor).second) continue;
       if (!asset::holdsFiniteNumbers(model, accessor))
         throw Error(ErrorCode::kMalformed,
                     fmt::format("{} holds NaN or an infinite number and cannot be repaired, because {}", name, reason));
@@ -117,8 +120,6 @@ void requireFinite(const tinygltf::Model& model, const tinygltf::Mesh& mesh, con
       check(target);
   }
 }
-
-using MeshProgress = std::function<void(const std::string&)>;
 
 MeshFindings examine(const CombinedMesh& mesh, const CleanCounts& cleaned, const WedgeMesh& wedges) {
   MeshFindings findings;
@@ -156,20 +157,27 @@ int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const Combi
   return written.mesh;
 }
 
-/// What the levels of one mesh are written from.
-struct Levels {
-  const CombinedMesh& mesh;  ///< as it was simplified
-  const LevelChain& chain;
+/// One mesh that was simplified and is not yet written.
+struct BakedMesh {
+  MeshReport report;
+  CombinedMesh mesh;                   ///< as it was simplified
+  std::optional<CombinedMesh> finest;  ///< LOD 0 if it has more attributes than the mesh that was simplified
+  LevelChain chain;                    ///< without levels if the mesh is passed through
+  std::vector<float> coverage;
   std::optional<asset::CellTree> tree;
 };
 
+CombinedMesh combinedLevel(const BakedMesh& baked, std::size_t k) {
+  if (k == 0 && baked.finest) return combineWedges(makeWedges(*baked.finest), *baked.finest);
+  return combineWedges(baked.chain.levels[k].mesh, baked.mesh);
+}
+
 /// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
-std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Levels& levels, MeshReport& report) {
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, BakedMesh& baked) {
   const tinygltf::Mesh source = model.meshes[index];
   std::vector<int> levelMeshes;
-  for (std::size_t k = 0; k < levels.chain.levels.size(); ++k)
-    levelMeshes.push_back(writeLevel(model, source, combineWedges(levels.chain.levels[k].mesh, levels.mesh),
-                                     levels.tree, report.levels[k]));
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    levelMeshes.push_back(writeLevel(model, source, combinedLevel(baked, k), baked.tree, baked.report.levels[k]));
   // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
@@ -179,51 +187,110 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, const Le
   return levelMeshes;
 }
 
-MeshReport bakeMesh(tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
-                    const MeshProgress& progress) {
+CombinedMesh readClean(const tinygltf::Model& model, const tinygltf::Mesh& source, const BakeOptions& options,
+                       CleanCounts& cleaned) {
+  CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
+  cleaned = cleanMesh(mesh);
+  return mesh;
+}
+
+/// What is done to LOD 0. @pre the mesh has triangles
+void refine(CombinedMesh& mesh, const BakeOptions& options) {
+  subdivideMesh(mesh, options.subdivide);
+  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
+}
+
+/// Called with the triangles of each finished level.
+using LevelProgress = std::function<void(std::uint32_t)>;
+
+/// Reads and simplifies a mesh. Changes nothing, so meshes can be baked side by side.
+BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const Before& before, const BakeOptions& options,
+                   const LevelProgress& progress) {
   const std::vector<int>& nodes = before.users[index];
   const tinygltf::Mesh& source = model.meshes[index];
-  MeshReport report;
+  BakedMesh baked;
+  MeshReport& report = baked.report;
   report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
-  if (!report.passedThrough.empty()) {
-    requireFinite(model, source, report.passedThrough);
-    return report;
-  }
+  if (!report.passedThrough.empty()) return baked;
 
-  CombinedMesh mesh = readCombinedMesh(model, source, options.limits);
-  const CleanCounts cleaned = cleanMesh(mesh);
+  CombinedMesh& mesh = baked.mesh;
+  std::vector<std::string> unused;
+  if (!options.keepUnused) unused = unusedAttributes(model, source);
+  CleanCounts cleaned;
+  mesh = unused.empty() ? readClean(model, source, options, cleaned)
+                        : readClean(model, withoutUnused(model, source), options, cleaned);
   if (mesh.indices.empty() && cleaned.notFinite > 0)
     throw Error(ErrorCode::kMalformed, fmt::format("none of its {} triangles has finite positions", cleaned.notFinite));
   if (mesh.indices.empty()) {
     report.findings.cleaned = cleaned;
     report.passedThrough = "it has no triangle with area";
-    requireFinite(model, source, report.passedThrough);
-    return report;
+    return baked;
   }
-  subdivideMesh(mesh, options.subdivide);
-  if (options.hardAngle) rebuildNormals(mesh, *options.hardAngle);
+  refine(mesh, options);
+  if (!unused.empty()) {
+    baked.finest = readClean(model, source, options, cleaned);
+    refine(*baked.finest, options);
+  }
   const WedgeMesh wedges = makeWedges(mesh);
   report.findings = examine(mesh, cleaned, wedges);
+  report.findings.unusedAttributes = std::move(unused);
   report.diagonal = boundsOf(wedges.positions).diagonal();
   if (!std::isfinite(report.diagonal)) {
     report.passedThrough = "its coordinates are too large to measure";
-    requireFinite(model, source, report.passedThrough);
-    return report;
+    return baked;
   }
 
-  const LevelChain chain = makeChain(wedges, options.chain, [&](std::uint32_t triangles) {
-    progress(fmt::format("{}: {} triangles", report.name, triangles));
-  });
-  report.stopReason = chain.stopReason;
-  const std::vector<float> coverage = screenCoverage(chain, 0.5 * report.diagonal, options.screen);
-  for (std::size_t k = 0; k < chain.levels.size(); ++k)
-    report.levels.push_back(lodInfoOf(chain, k, report.diagonal, coverage[k]));
-  const Levels levels{mesh, chain, divideIntoCells(mesh, options.cells)};
-  report.cells = levels.tree ? levels.tree->cellCount() : 0;
-  linkNodes(model, before, nodes, writeLevels(model, index, levels, report), coverage);
-  return report;
+  baked.chain = makeChain(wedges, options.chain, progress);
+  report.stopReason = baked.chain.stopReason;
+  baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
+  baked.tree = divideIntoCells(mesh, options.cells);
+  report.cells = baked.tree ? baked.tree->cellCount() : 0;
+  return baked;
+}
+
+/// Calls a function for a mesh; its errors name the mesh.
+template <class Work>
+auto named(const tinygltf::Model& model, std::size_t index, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string name = model.meshes[index].name.empty() ? fmt::format("{}", index) : model.meshes[index].name;
+    throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));
+  }
+}
+
+/// Meshes that are baked side by side and then written in order, so that the file does not depend on the threads. Few
+/// are held in memory at a time. A large mesh is a batch of its own: it uses all threads.
+constexpr std::uint64_t kLargeMesh = 100'000;
+constexpr std::size_t kMostTogether = 512;
+
+/// Elements that a mesh reads, about.
+std::uint64_t sizeOf(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
+  std::uint64_t elements = 0;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    const auto position = primitive.attributes.find("POSITION");
+    const int accessor = primitive.indices >= 0                   ? primitive.indices
+                         : position != primitive.attributes.end() ? position->second
+                                                                  : -1;
+    if (accessor >= 0) elements += model.accessors[static_cast<std::size_t>(accessor)].count;
+  }
+  return elements;
+}
+
+/// The end of the batch that begins with the mesh used[first].
+std::size_t batchEnd(const tinygltf::Model& model, const std::vector<std::size_t>& used, std::size_t first) {
+  std::uint64_t elements = 0;
+  std::size_t end = first;
+  while (end < used.size() && end - first < kMostTogether) {
+    elements += sizeOf(model, model.meshes[used[end]]);
+    if (end > first && elements > kLargeMesh) break;
+    ++end;
+  }
+  return end;
 }
 
 /// Primitives may share accessors, but each primitive reads them again: a small file could demand any amount of work.
@@ -240,13 +307,47 @@ void checkDemand(const tinygltf::Model& model) {
   std::uint64_t elements = 0;
   for (const tinygltf::Mesh& mesh : model.meshes) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
-      elements += count(primitive.indices);
-      for (const auto& [name, accessor] : primitive.attributes)
-        elements += count(accessor);
+      const std::uint64_t indices = count(primitive.indices);
+      elements += indices;
+      for (const auto& [name, accessor] : primitive.attributes) {
+        // Of a large shared buffer only the vertices in use are read.
+        const bool inPart = primitive.indices >= 0 && accessor >= 0 &&
+                            !model.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse;
+        elements += inPart ? std::min(count(accessor), 2 * indices) : count(accessor);
+      }
     }
   }
   if (elements > kFreeElements + kMaxElementsPerByte * bytes)
     throw Error(ErrorCode::kLimit, fmt::format("the meshes read {} elements out of {} bytes", elements, bytes));
+}
+
+std::vector<BakedMesh> bakeBatch(const tinygltf::Model& model, std::span<const std::size_t> batch, const Before& before,
+                                 const BakeOptions& options, const std::function<void(const std::string&)>& progress) {
+  std::vector<BakedMesh> baked(batch.size());
+  const auto bake = [&](std::size_t i, const BakeOptions& used, const LevelProgress& levels) {
+    baked[i] = named(model, batch[i], [&] { return bakeMesh(model, batch[i], before, used, levels); });
+  };
+  if (batch.size() == 1) {
+    bake(0, options, [&](std::uint32_t triangles) {
+      progress(fmt::format("{}: {} triangles", model.meshes[batch[0]].name, triangles));
+    });
+    return baked;
+  }
+  BakeOptions onOneThread = options;
+  onOneThread.chain.slices = runInOneSlice;
+  options.tasks(batch.size(), [&](std::size_t i) { bake(i, onOneThread, {}); });
+  return baked;
+}
+
+/// Writes a mesh and links its levels, or checks one that is passed through.
+MeshReport writeMesh(tinygltf::Model& model, std::size_t index, const Before& before, BakedMesh& baked,
+                     std::set<int>& finite) {
+  if (!baked.report.passedThrough.empty()) {
+    requireFinite(model, model.meshes[index], baked.report.passedThrough, finite);
+    return std::move(baked.report);
+  }
+  linkNodes(model, before, before.users[index], writeLevels(model, index, baked), baked.coverage);
+  return std::move(baked.report);
 }
 
 }  // namespace
@@ -260,17 +361,20 @@ std::vector<MeshReport> bakeDocument(
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     if (model.nodes[n].mesh >= 0)
       before.users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
+  std::vector<std::size_t> used;
+  for (std::size_t m = 0; m < meshes; ++m)
+    if (!before.users[m].empty()) used.push_back(m);
   std::vector<MeshReport> reports;
-  for (std::size_t m = 0; m < meshes; ++m) {
-    progress(m, meshes, model.meshes[m].name);
-    if (before.users[m].empty()) continue;
-    try {
-      reports.push_back(
-          bakeMesh(model, m, before, options, [&](const std::string& what) { progress(m, meshes, what); }));
-    } catch (const Error& error) {
-      const std::string name = model.meshes[m].name.empty() ? fmt::format("{}", m) : model.meshes[m].name;
-      throw Error(error.code(), fmt::format("mesh '{}': {}", name, error.what()));
-    }
+  std::set<int> finite;
+  for (std::size_t first = 0; first < used.size();) {
+    const std::size_t end = batchEnd(model, used, first);
+    progress(used[first], meshes, model.meshes[used[first]].name);
+    std::vector<BakedMesh> baked = bakeBatch(model, std::span(used).subspan(first, end - first), before, options,
+                                             [&](const std::string& what) { progress(used[first], meshes, what); });
+    for (; first < end; ++first)
+      reports.push_back(named(model, used[first], [&] {
+        return writeMesh(model, used[first], before, baked[baked.size() - (end - first)], finite);
+      }));
   }
   model.asset.generator = "jalousie-bake";
   return reports;

@@ -7,6 +7,7 @@
 #include "asset/gltf_file.h"
 #include "bake/io/level_cells.h"
 #include "bake/simplify/chain_options.h"
+#include "bake/simplify/slices.h"
 
 namespace jalousie::bake {
 
@@ -14,9 +15,11 @@ struct BakeOptions {
   ChainOptions chain;
   std::uint32_t subdivide = 0;      ///< Loop steps before anything else
   std::optional<double> hardAngle;  ///< rebuild normals: edges that bend by more degrees stay hard
+  bool keepUnused = false;          ///< keep attributes that no material uses in every level
   ScreenTolerance screen;           ///< for MSFT_screencoverage
   CellOptions cells;
   asset::Limits limits;
+  TaskRunner tasks = runInOrder;  ///< bakes small meshes side by side; the result does not depend on it
 };
 
 }  // namespace jalousie::bake

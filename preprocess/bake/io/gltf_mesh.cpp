@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
@@ -42,13 +43,55 @@ Attribute readAttribute(const tinygltf::Model& model, const std::string& name, i
   return {name, 4, flattened(asset::readVec4(model, accessor, limit))};
 }
 
-void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& primitive, std::uint64_t limit,
-                    PrimitiveData& data) {
-  data.attributes.push_back(readAttribute(model, "POSITION", primitive.attributes.at("POSITION"), limit));
+/// The vertices to read: all if the list is empty.
+Attribute readAttributeOf(const tinygltf::Model& model, const std::string& name, int accessor,
+                          const std::vector<std::uint32_t>& vertices, std::uint64_t limit) {
+  if (vertices.empty()) return readAttribute(model, name, accessor, limit);
+  return readAttribute(asset::extractElements(model, accessor, vertices, limit), name, 0, limit);
+}
+
+/// Many primitives may share one large vertex buffer. If a primitive uses less than half of it, returns the vertices
+/// it uses, in ascending order, and rewrites the indices to number these; else returns an empty list.
+std::vector<std::uint32_t> usedVertices(std::vector<std::uint32_t>& indices, std::uint32_t vertexCount) {
+  if (indices.empty() || indices.size() > vertexCount / 2) return {};
+  std::vector<std::uint32_t> used = indices;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& index : indices)
+    index = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), index) - used.begin());
+  return used;
+}
+
+std::uint32_t countOf(const tinygltf::Model& model, int accessor, std::uint64_t limit) {
+  const std::uint64_t count = model.accessors[static_cast<std::size_t>(accessor)].count;
+  if (count > limit) throw Error(ErrorCode::kLimit, fmt::format("an accessor has {} elements", count));
+  return static_cast<std::uint32_t>(count);
+}
+
+std::vector<std::uint32_t> readIndicesOf(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                         std::uint32_t vertexCount, std::uint64_t limit) {
+  std::vector<std::uint32_t> indices;
+  if (primitive.indices >= 0) {
+    indices = asset::readIndices(model, primitive.indices, vertexCount, limit);
+  } else {
+    indices.resize(vertexCount);
+    std::iota(indices.begin(), indices.end(), 0U);
+  }
+  indices.resize(indices.size() / 3 * 3);
+  return indices;
+}
+
+/// @param vertices  see readAttributeOf
+void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                    const std::vector<std::uint32_t>& vertices, std::uint64_t limit, PrimitiveData& data) {
+  const int positions = primitive.attributes.at("POSITION");
+  data.attributes.push_back(readAttributeOf(model, "POSITION", positions, vertices, limit));
   data.vertexCount = static_cast<std::uint32_t>(data.attributes[0].values.size() / 3);
   for (const auto& [name, accessor] : primitive.attributes) {
     if (name == "POSITION") continue;
-    data.attributes.push_back(readAttribute(model, name, accessor, limit));
+    if (countOf(model, accessor, limit) != countOf(model, positions, limit))
+      throw Error(ErrorCode::kMalformed, "attributes of one primitive have different counts");
+    data.attributes.push_back(readAttributeOf(model, name, accessor, vertices, limit));
     const Attribute& attribute = data.attributes.back();
     if (attribute.values.size() != std::size_t{data.vertexCount} * attribute.components)
       throw Error(ErrorCode::kMalformed, "attributes of one primitive have different counts");
@@ -176,14 +219,10 @@ CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh
   CombinedMesh combined;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     PrimitiveData data;
-    readAttributes(model, primitive, limits.maxAccessorElements, data);
-    std::vector<std::uint32_t> indices(data.vertexCount);
-    if (primitive.indices >= 0) {
-      indices = asset::readIndices(model, primitive.indices, data.vertexCount, limits.maxAccessorElements);
-    } else {
-      std::iota(indices.begin(), indices.end(), 0U);
-    }
-    indices.resize(indices.size() / 3 * 3);
+    const std::uint64_t limit = limits.maxAccessorElements;
+    const std::uint32_t vertexCount = countOf(model, primitive.attributes.at("POSITION"), limit);
+    std::vector<std::uint32_t> indices = readIndicesOf(model, primitive, vertexCount, limit);
+    readAttributes(model, primitive, usedVertices(indices, vertexCount), limit, data);
     if (!indices.empty()) shareVertices(data, indices);
     data.firstVertex = static_cast<std::uint32_t>(combined.positions.size());
     const std::vector<float>& xyz = data.attributes[0].values;

@@ -17,6 +17,7 @@ struct MeshFindings {
   std::uint64_t nonManifoldEdges = 0;  ///< of three and more triangles, or of two that run the same way; passed on
   std::uint64_t openEdges = 0;
   std::uint64_t looseParts = 0;
+  std::vector<std::string> unusedAttributes;  ///< that no material uses; coarser levels are without them
 };
 
 struct MeshReport {

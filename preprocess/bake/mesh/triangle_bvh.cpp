@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/aabb.h"
 #include "core/check.h"
 
 namespace jalousie::bake {
@@ -68,6 +69,23 @@ double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const
   return nearestOnTriangle(p, a, b, c).distance2;
 }
 
+namespace {
+
+/// The power of two that brings the diagonal of the triangles' box to about 1; 1 if there is none.
+float unitScale(std::span<const TriangleBvh::Corners> triangles) {
+  Aabb box;
+  for (const TriangleBvh::Corners& t : triangles) {
+    box.add(t.a);
+    box.add(t.b);
+    box.add(t.c);
+  }
+  const double diagonal = box.diagonal();
+  if (!(diagonal > 0.0) || !std::isfinite(diagonal)) return 1.0F;
+  return std::ldexp(1.0F, std::clamp(-std::ilogb(diagonal), -120, 120));
+}
+
+}  // namespace
+
 TriangleBvh::TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
   JAL_CHECK(indices.size() >= 3U);
   JAL_CHECK(indices.size() / 3 < kLeaf);
@@ -77,7 +95,11 @@ TriangleBvh::TriangleBvh(std::span<const glm::vec3> positions, std::span<const s
     for (std::size_t k = 0; k < 3; ++k)
       JAL_CHECK(indices[3 * t + k] < positions.size());
     triangles_[t] = {positions[indices[3 * t]], positions[indices[3 * t + 1]], positions[indices[3 * t + 2]]};
-    items[t] = {triangles_[t].a + triangles_[t].b + triangles_[t].c, static_cast<std::uint32_t>(t)};
+  }
+  scale_ = unitScale(triangles_);
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Corners& corners = triangles_[t];
+    items[t] = {scale_ * corners.a + scale_ * corners.b + scale_ * corners.c, static_cast<std::uint32_t>(t)};
   }
   packets_.reserve(items.size() / 4 + 1);
   nodes_.reserve(items.size() / 8 + 1);
@@ -109,7 +131,8 @@ std::uint32_t TriangleBvh::makePacket(std::span<const Item> items, Box& box) {
   box = {glm::vec3(kInfinity), glm::vec3(-kInfinity)};
   for (std::size_t k = 0; k < 4; ++k) {
     const Item& item = items[std::min(k, items.size() - 1)];
-    const Corners& t = triangles_[item.triangle];
+    const Corners& source = triangles_[item.triangle];
+    const Corners t = {scale_ * source.a, scale_ * source.b, scale_ * source.c};
     packet.a.x[k] = t.a.x, packet.a.y[k] = t.a.y, packet.a.z[k] = t.a.z;
     packet.b.x[k] = t.b.x, packet.b.y[k] = t.b.y, packet.b.z[k] = t.b.z;
     packet.c.x[k] = t.c.x, packet.c.y[k] = t.c.y, packet.c.z[k] = t.c.z;
@@ -237,15 +260,17 @@ NearestPoint TriangleBvh::nearest(const glm::vec3& point, std::uint32_t seed) co
   search.triangle = seed;
   if (seed != kNoSeed) {
     const Corners& t = triangles_[seed];
-    search.best = static_cast<float>(nearestOnTriangle(point, t.a, t.b, t.c).distance2) * 1.00001F;
+    const double scale2 = double{scale_} * scale_;
+    search.best = static_cast<float>(nearestOnTriangle(point, t.a, t.b, t.c).distance2 * scale2) * 1.00001F;
   }
   search.stack[search.size++] = {root_, 0.0F};
-  const Vec4 p = {all(point.x), all(point.y), all(point.z)};
+  const glm::vec3 scaled = scale_ * point;
+  const Vec4 p = {all(scaled.x), all(scaled.y), all(scaled.z)};
   while (search.size > 0) {
     const Search::Entry entry = search.stack[--search.size];
     if (entry.distance2 > search.best) continue;
     if ((entry.node & kLeaf) != 0) {
-      searchPacket(packets_[entry.node & ~kLeaf], point, search);
+      searchPacket(packets_[entry.node & ~kLeaf], scaled, search);
     } else {
       pushChildren(nodes_[entry.node], p, search);
     }

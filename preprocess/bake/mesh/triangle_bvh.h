@@ -25,7 +25,8 @@ NearestPoint nearestOnTriangle(const glm::dvec3& p, const glm::dvec3& a, const g
 double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// Hierarchy with four children per node over packets of four triangles. Vector instructions test four boxes or four
-/// triangles at once. Nodes are split at the median of the widest axis. Build O(n log n), deterministic.
+/// triangles at once. Nodes are split at the median of the widest axis. Build O(n log n), deterministic. The hierarchy
+/// is scaled by a power of two to about unit size, so that squares neither overflow nor vanish at any scale.
 class TriangleBvh {
  public:
   static constexpr std::uint32_t kNoSeed = ~0U;
@@ -89,6 +90,7 @@ class TriangleBvh {
   static void pushChildren(const Node& node, const Vec4& point, Search& search);
 
   std::uint32_t root_ = 0;
+  float scale_ = 1.0F;  ///< of the hierarchy, relative to the triangles; a power of two
   std::vector<Node> nodes_;
   std::vector<Packet> packets_;
   std::vector<Corners> triangles_;

@@ -290,6 +290,9 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
       ->check(CLI::Range(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
+  program.add_flag(
+      "--keep-unused", result.bake.keepUnused,
+      "Keep attributes that no material uses in all levels, and weigh them; by default only LOD 0 has them");
   addCellOption(program, result.bake.cells);
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");

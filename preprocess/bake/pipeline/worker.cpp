@@ -93,6 +93,7 @@ void limitMemory(std::uint64_t bytes) {
     limitMemory(limits.maxMemoryBytes);
     JobSettings threaded = settings;
     threaded.bake.chain.slices = threadedSlices(limits.threads);
+    threaded.bake.tasks = threadedTasks(limits.threads);
     auto nextReport = std::chrono::steady_clock::time_point();
     const JobResult result = runJob(job, threaded, [&](const std::string& what) {
       const auto now = std::chrono::steady_clock::now();

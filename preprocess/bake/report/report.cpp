@@ -22,6 +22,9 @@ std::string findingsText(const MeshFindings& findings) {
   note(findings.cleaned.degenerate, "triangles without area dropped");
   note(findings.cleaned.duplicate, "duplicate triangles dropped");
   note(findings.repairedValues, "NaN or infinite attribute values set to 0");
+  for (const std::string& name : findings.unusedAttributes)
+    text += fmt::format("  {} left out of the coarser levels: no material uses it (--keep-unused keeps it)\n",
+                        oneLine(name));
   note(findings.nonManifoldEdges, "non-manifold edges kept as they are");
   return text;
 }
@@ -98,6 +101,7 @@ std::string reportJson(const std::vector<MeshReport>& meshes) {
     entry["non_manifold_edges"] = mesh.findings.nonManifoldEdges;
     entry["open_edges"] = mesh.findings.openEdges;
     entry["loose_parts"] = mesh.findings.looseParts;
+    entry["unused_attributes"] = mesh.findings.unusedAttributes;
     entry["levels"] = ordered_json::array();
     for (const asset::LodInfo& level : mesh.levels)
       entry["levels"].push_back(levelJson(level, mesh.diagonal));

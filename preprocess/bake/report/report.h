@@ -12,7 +12,7 @@ namespace jalousie::bake {
 std::string reportText(const std::vector<MeshReport>& meshes);
 /// {"meshes": [{"name", "nodes", "diagonal", "stop", "passed_through", "not_finite", "not_finite_passed_on",
 /// "degenerate", "duplicate",
-///   "repaired_values", "non_manifold_edges", "open_edges", "loose_parts",
+///   "repaired_values", "non_manifold_edges", "open_edges", "loose_parts", "unused_attributes": [name],
 ///   "levels": [{"lod", "triangles", "vertices", "error_object", "error_percent", "two_sided": D, "to_original": D,
 ///     "from_original": D, "normal_degrees": S, "uv": S, "screen_coverage"}]}]}
 /// with D = {"max", "mean", "max_percent", "mean_percent"} and S = {"mean", "p95"}

@@ -84,12 +84,18 @@ class LevelMaker {
   std::vector<std::uint32_t> corners_;  ///< drafts only
 };
 
-MeterOptions meterOptions(const ChainOptions& options) {
+/// The cost of the measure follows the size of the mesh; large meshes have the figures of the preset.
+MeterOptions meterOptions(const ChainOptions& options, std::uint32_t triangles, double diagonal) {
+  const bool best = options.preset == Preset::kBest;
   MeterOptions meter;
   meter.slices = options.slices;
+  meter.perTriangle = best ? 48 : 8;
+  meter.closeEnough = best ? 1.02 : 1.05;
   if (options.preset == Preset::kFast) meter.samples = 12000, meter.searches = 10000;
   if (options.preset == Preset::kDraft) meter.samples = 10000, meter.searches = 5000;
-  if (options.samples) meter.samples = *options.samples;
+  meter.searches = std::min(meter.searches, (best ? 16U : 4U) * std::min(16 + triangles, 1U << 20U));
+  meter.giveUp = options.untilError * 0.01 * diagonal;
+  if (options.samples) meter.samples = *options.samples, meter.perTriangle = 0;
   return meter;
 }
 
@@ -134,7 +140,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
       return stop(fmt::format("the next level would have {} triangles", target));
     if (!maker) {
       maker = std::make_unique<LevelMaker>(mesh, options);
-      meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options));
+      meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options, finest, diagonal));
     }
     std::vector<std::uint32_t> vertexMap;
     const bool exactly = options.coarsest && k + 1 == options.levels;

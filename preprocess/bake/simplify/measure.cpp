@@ -6,13 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/mesh/bounds.h"
 #include "bake/mesh/union_find.h"
 
 namespace jalousie::bake {
 namespace {
 
-constexpr double kMargin = 1.05;       // largest result, relative to the largest distance found
-constexpr double kCloseEnough = 1.02;  // pieces are not split below this bound, relative to the largest distance found
+constexpr double kMargin = 1.05;      // largest result, relative to the largest distance found
+constexpr double kNegligible = 1e-7;  // of the diagonal: the rounding of single-precision positions
 
 /// For each wedge its chart: the lowest wedge that is connected to it by triangles.
 std::vector<std::uint32_t> findCharts(const WedgeMesh& mesh) {
@@ -31,6 +32,7 @@ struct Direction {
   std::span<const std::uint32_t> fromChart;  ///< per wedge of `from`
   std::span<const std::uint32_t> toChart;
   const SliceRunner& slices;
+  double negligible;  ///< bound that is not split
 
   std::uint32_t seedOf(std::uint32_t vertex) const { return seeds.empty() ? TriangleBvh::kNoSeed : seeds[vertex]; }
 };
@@ -96,20 +98,22 @@ struct Piece {
 /// Finds the largest distance in one direction by branch and bound.
 class MaximumSearch {
  public:
-  MaximumSearch(const Direction& direction, double found, std::uint32_t searches)
-      : direction_(direction), found_(found), searches_(searches) {}
+  MaximumSearch(const Direction& direction, double found, const MeterOptions& options)
+      : direction_(direction), found_(found), searches_(options.searches), closeEnough_(options.closeEnough) {}
 
   double run() {
     probeVertices();
     collectPieces();
-    while (!queue_.empty() && searches_ > 0 && queue_.front().bound > found_ * kCloseEnough) {
+    const auto open = [&] { return std::max(found_ * closeEnough_, direction_.negligible); };
+    while (!queue_.empty() && searches_ > 0 && queue_.front().bound > open()) {
       std::pop_heap(queue_.begin(), queue_.end(), isLess);
       const Piece piece = queue_.back();
       queue_.pop_back();
       split(piece);
     }
     const double bound = std::max(found_, queue_.empty() ? 0.0 : double{queue_.front().bound});
-    return std::min(std::max(bound, found_ * kCloseEnough), found_ * kMargin);
+    if (bound <= direction_.negligible) return bound;
+    return std::min(std::max(bound, found_ * closeEnough_), found_ * kMargin);
   }
 
  private:
@@ -168,9 +172,9 @@ class MaximumSearch {
 
   bool matters(Piece& piece) const {
     piece.bound = lipschitzBound(piece);
-    if (piece.bound <= found_ * kCloseEnough) return false;
+    if (piece.bound <= found_ * closeEnough_) return false;
     piece.bound = std::min(piece.bound, convexBound(piece));
-    return piece.bound > found_ * kCloseEnough;
+    return piece.bound > found_ * closeEnough_;
   }
 
   void collectPieces() {
@@ -203,9 +207,17 @@ class MaximumSearch {
   const Direction& direction_;
   double found_;
   std::uint32_t searches_;
+  double closeEnough_;
   std::vector<Probe> vertices_;
   std::vector<Piece> queue_;
 };
+
+/// Points per surface: a level of few triangles needs few.
+std::size_t samplesFor(const MeterOptions& options, std::uint32_t triangles) {
+  if (options.perTriangle == 0) return options.samples;
+  constexpr std::uint64_t kLeast = 64;
+  return std::min<std::uint64_t>(options.samples, kLeast + std::uint64_t{options.perTriangle} * triangles);
+}
 
 double meanOf(const std::vector<double>& values) {
   double sum = 0.0;
@@ -214,11 +226,12 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-Distances distanceOf(const Direction& direction, const Measured& measured, std::uint32_t searches) {
+Distances distanceOf(const Direction& direction, const Measured& measured, const MeterOptions& options) {
   double found = 0.0;
   for (const double distance : measured.distances)
     found = std::max(found, distance);
-  return {MaximumSearch(direction, found, searches).run(), meanOf(measured.distances)};
+  if (found > options.giveUp) return {found, meanOf(measured.distances)};
+  return {MaximumSearch(direction, found, options).run(), meanOf(measured.distances)};
 }
 
 /// Mean and 95th percentile of two lists together; negative values are left out.
@@ -239,7 +252,7 @@ DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& op
     : original_(original),
       options_(options),
       bvh_(original.positions, vertexIndices(original)),
-      samples_(sampleSurface(original, options.samples)),
+      negligible_(kNegligible * boundsOf(original.positions).diagonal()),
       chartOf_(findCharts(original)) {}
 
 Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap) const {
@@ -261,13 +274,14 @@ Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::u
   for (std::size_t w = 0; w < levelChart.size(); ++w)
     levelChart[w] = level.sourceWedge[w] < chartOf_.size() ? chartOf_[level.sourceWedge[w]] : ~0U;
 
-  const Direction there{level, original_, bvh_, levelSeeds, levelChart, chartOf_, options_.slices};
-  const Direction back{original_, level, levelBvh, originalSeeds, chartOf_, levelChart, options_.slices};
-  const Measured to = measureSamples(there, sampleSurface(level, options_.samples));
-  const Measured from = measureSamples(back, samples_);
+  const Direction there{level, original_, bvh_, levelSeeds, levelChart, chartOf_, options_.slices, negligible_};
+  const Direction back{original_, level, levelBvh, originalSeeds, chartOf_, levelChart, options_.slices, negligible_};
+  const std::size_t samples = samplesFor(options_, level.triangles());
+  const Measured to = measureSamples(there, sampleSurface(level, samples));
+  const Measured from = measureSamples(back, sampleSurface(original_, samples));
   Deviation deviation;
-  deviation.toOriginal = distanceOf(there, to, options_.searches);
-  deviation.fromOriginal = distanceOf(back, from, options_.searches);
+  deviation.toOriginal = distanceOf(there, to, options_);
+  deviation.fromOriginal = distanceOf(back, from, options_);
   deviation.twoSided = {std::max(deviation.toOriginal.max, deviation.fromOriginal.max),
                         0.5 * (deviation.toOriginal.mean + deviation.fromOriginal.mean)};
   deviation.normalDegrees = spreadOf(to.degrees, from.degrees);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct MeterOptions {
   std::uint32_t samples = 100000;   ///< points per surface for means and percentiles
   std::uint32_t searches = 200000;  ///< most pieces looked at while the maximum is closed in on, per direction
   SliceRunner slices = runInOneSlice;
+  std::uint32_t perTriangle = 0;  ///< of the level: fewer points for levels of few triangles; 0: always `samples`
+  double closeEnough = 1.02;      ///< the bound is not closed in on below this multiple of the largest distance found
+  /// Object-space length: if a sampled distance is larger, the level is useless and the maximum is not searched for.
+  double giveUp = std::numeric_limits<double>::infinity();
 };
 
 /// Measures levels against one original, whose hierarchy and samples are made once.
@@ -25,7 +30,8 @@ struct MeterOptions {
 /// triangle is convex, so over a piece of a triangle it is largest at a corner. The least of these largest values, over
 /// a few near triangles, bounds the distance of the piece to the whole mesh. Pieces whose bound exceeds the largest
 /// distance found are split in four, the largest bound first. The result is the bound if it is within 5 % of the
-/// largest distance found, else that distance plus 5 %. It is never less than any sampled distance.
+/// largest distance found, else that distance plus 5 %. It is never less than any sampled distance. Bounds below 1e-7 of
+/// the diagonal are rounding and are not closed in on.
 class DeviationMeter {
  public:
   explicit DeviationMeter(const WedgeMesh& original, const MeterOptions& options = {});
@@ -38,7 +44,7 @@ class DeviationMeter {
   const WedgeMesh& original_;
   MeterOptions options_;
   TriangleBvh bvh_;
-  std::vector<SurfaceSample> samples_;
+  double negligible_;                   ///< bound that is not split, object-space length
   std::vector<std::uint32_t> chartOf_;  ///< of each wedge of the original
 };
 

@@ -17,7 +17,8 @@ constexpr double kDamping = 0.02;     // relative to the weight of the samples o
 constexpr std::uint32_t kSteps = 24;  // of conjugate gradients
 constexpr double kTolerance = 1e-3;   // of the residual
 constexpr double kSameSide = 0.3;     // least cosine between the normals of a sample and of the triangle it lands on
-constexpr std::size_t kLeastSamples = 20000;
+constexpr std::size_t kLeastSamples = 20000;  // or kLeastPerTriangle, if fewer
+constexpr std::size_t kLeastPerTriangle = 8;  // of the original: samples see every triangle
 
 /// A sample of the original and where it lands on the level.
 struct Landing {
@@ -253,8 +254,9 @@ void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertex
   }
   const std::size_t wanted = std::size_t{options.samplesPerTriangle} * level.triangles();
   const auto most = static_cast<std::size_t>(options.mostSamples * original.triangles());
+  const std::size_t least = std::min(kLeastSamples, kLeastPerTriangle * original.triangles());
   std::vector<Landing> landings =
-      sampleOriginal(original, vertexMap, level, std::max(std::min(wanted, most), kLeastSamples), options.slices);
+      sampleOriginal(original, vertexMap, level, std::max(std::min(wanted, most), least), options.slices);
   if (landings.empty()) return;
   for (std::uint32_t round = 0; round < options.rounds; ++round) {
     land(level, indices, options.slices, landings);
