@@ -95,7 +95,7 @@ void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const 
 /// The baker passes pictures on, so they must be whole.
 tinygltf::Model parseWholeGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
                                const asset::Limits& limits, const asset::ReadObserver& observer) {
-  tinygltf::Model model = asset::parseGltf(bytes, file, limits, observer);
+  tinygltf::Model model = asset::parseGltf(bytes, file, limits, observer, asset::Retain::kDocument);
   asset::checkImages(model, file, limits);
   return model;
 }
