@@ -133,10 +133,11 @@ tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::R
 detail::Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader,
                                 const Limits& limits, const Path& file) {
   detail::Resources resources;
+  const std::vector<bool> isFallback = detail::findMeshoptFallbacks(document, parts.binary.has_value());
   if (const auto buffers = document.find("buffers"); buffers != document.end()) {
     for (json& buffer : *buffers) {
       const std::size_t index = resources.buffers.size();
-      if (detail::isMeshoptFallback(buffer)) {
+      if (isFallback[index]) {
         // Views on it get buffers of their own; one that is not compressed would lie outside of these four bytes.
         buffer["byteLength"] = 4;
         resources.buffers.emplace_back(4, static_cast<unsigned char>(0));
@@ -166,6 +167,11 @@ void fillImages(tinygltf::Model& model, const detail::Resources& resources, deta
     image.bufferView = resources.images[i].bufferView;
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
     if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
+    const std::string_view foreign = detail::foreignMimeType(std::as_bytes(std::span(image.image)));
+    if (!foreign.empty()) {
+      image.mimeType = foreign;
+      continue;
+    }
     detail::useImage(model, i, [&](std::span<const std::byte> bytes) { imageSize(bytes, limits.images); });
   }
 }

@@ -34,7 +34,8 @@ struct WrittenMesh {
 };
 
 /// Appends a mesh with the primitives of `source` and the triangles of `combined`: points and lines as they are,
-/// triangles cell by cell, within a cell in the order of the vertex cache, vertices in the order of their first use. Primitives without triangles are left out.
+/// triangles cell by cell, within a cell in the order of the vertex cache, vertices in the order of their first use.
+/// Primitives without triangles are left out.
 /// @param order  of the triangles of `combined`
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
                             const asset::CellOrder& order);
