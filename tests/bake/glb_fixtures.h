@@ -44,9 +44,11 @@ inline Glb splitGlb(const std::vector<std::byte>& bytes) {
   return glb;
 }
 
-inline std::vector<std::byte> joinGlb(Glb glb) {
+/// @param buffers  replaces the list of buffers, which is one otherwise
+inline std::vector<std::byte> joinGlb(Glb glb, const nlohmann::json& buffers = {}) {
   glb.binary.resize((glb.binary.size() + 3) / 4 * 4);
   glb.json["buffers"] = {{{"byteLength", glb.binary.size()}}};
+  if (!buffers.is_null()) glb.json["buffers"] = buffers;
   std::string text = glb.json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::vector<std::byte> bytes;

@@ -406,5 +406,67 @@ TEST(KeptContent, TheWindingOfAStripAlternates) {
     EXPECT_GT(glm::cross(p[i[t + 1]] - p[i[t]], p[i[t + 2]] - p[i[t]]).z, 0.5F);
 }
 
+TEST(KeptContent, PicturesThatNobodyHereDecodesAreKeptAsTheyAre) {
+  for (const auto& [start, type] :
+       {std::pair("\xABKTX 20\xBB\r\n\x1A\n0123", "image/ktx2"), std::pair("\x01\x02\x03 ftypavif0123", "image/avif"),
+        std::pair("DDS 012345678", "image/vnd-ms.dds")}) {
+    Glb input = ball();
+    const std::string picture = start;
+    const std::size_t view = test::appendView(input, test::bytesOf(picture));
+    input.json["images"] = {{{"bufferView", view}, {"mimeType", type}}};
+    input.json["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
+    input.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    input.json["meshes"][0]["primitives"][0]["material"] = 0;
+    input.json["extensionsUsed"] = {"KHR_texture_basisu"};
+    input.json["extensionsRequired"] = {"KHR_texture_basisu"};
+    const BakedGlb baked = test::bakeGlb(input);
+    const json& image = baked.glb.json["images"][0];
+    EXPECT_EQ(image["mimeType"], type);
+    EXPECT_EQ(baked.glb.view(image["bufferView"].get<std::size_t>()), input.view(view)) << type;
+    EXPECT_EQ(baked.glb.json["textures"], input.json["textures"]);
+    EXPECT_EQ(baked.glb.json["extensionsRequired"], input.json["extensionsRequired"]);
+  }
+}
+
+TEST(KeptContent, RequiredVariantsStayWithEveryLevel) {
+  Glb input = ball();
+  input.json["materials"] = {{{"name", "a"}}, {{"name", "b"}}};
+  input.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "v0"}}, {{"name", "v1"}}};
+  json& primitive = input.json["meshes"][0]["primitives"][0];
+  primitive["material"] = 0;
+  primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {1}}}};
+  input.json["extensionsUsed"] = {"KHR_materials_variants"};
+  input.json["extensionsRequired"] = {"KHR_materials_variants"};
+  const BakedGlb baked = test::bakeGlb(input);
+  ASSERT_GT(baked.reports[0].levels.size(), 2U);
+  for (const json& mesh : baked.glb.json["meshes"])
+    EXPECT_EQ(mesh["primitives"][0]["extensions"], primitive["extensions"]);
+  EXPECT_EQ(baked.glb.json["extensions"], input.json["extensions"]);
+}
+
+TEST(KeptContent, MeshoptDataOfBothNamesIsReadAndFallbackBuffersNeedNoBytes) {
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    tinygltf::Model model = importBytes(test::joinGlb(ball()), "input.glb", {});
+    model.extensions_json_string.clear();
+    Glb input = test::splitGlb(asset::encodeGlb(std::move(model), {true}));
+    for (json& view : input.json["bufferViews"]) {
+      if (!view.contains("extensions")) continue;
+      const json extension = view["extensions"]["EXT_meshopt_compression"];
+      view["extensions"] = {{name, extension}};
+    }
+    json buffers = input.json["buffers"];
+    ASSERT_EQ(buffers.size(), 2U);
+    buffers[1].erase("extensions");  // some writers leave "fallback" out
+    input.json["extensionsUsed"] = {name};
+    input.json["extensionsRequired"] = {name};
+    std::vector<std::byte> bytes = test::joinGlb(input, buffers);
+    const tinygltf::Model read = asset::parseGltf(bytes, "input.glb");
+    EXPECT_EQ(asset::readScene(read, "input.glb").meshes[0].primitives[0].positions.size(),
+              test::sphere(24, 12).positions.size())
+        << name;
+    EXPECT_TRUE(read.extensionsRequired.empty());
+  }
+}
+
 }  // namespace
 }  // namespace jalousie::bake

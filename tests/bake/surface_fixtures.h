@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/io/polygon_mesh.h"
+#include "bake/io/surface_objects.h"
 #include "bake/mesh/normals.h"
 
 namespace jalousie::test {

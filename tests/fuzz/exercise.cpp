@@ -18,6 +18,7 @@
 #include "bake/io/import.h"
 #include "bake/io/obj_reader.h"
 #include "bake/io/ply_reader.h"
+#include "bake/io/surface_objects.h"
 #include "bake/report/inspect.h"
 #include "bake/report/report.h"
 #include "core/check.h"

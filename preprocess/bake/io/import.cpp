@@ -83,8 +83,8 @@ void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const 
   // PLY files are mostly scans, whose noise would be full of creases.
   const NormalRule rule = extension == ".ply" ? NormalRule::kNone : NormalRule::kCreases;
   Beside beside(file, around.limits.maxFileBytes, around.observer);
-  appendSurface(
-      model, mesh, rule, file.stem().string(), [&](const std::string& name) { return beside.read(name); }, notes);
+  const auto pictures = [&](const std::string& name) { return beside.read(name); };
+  appendSurface(model, mesh, {file.stem().string(), rule, pictures}, notes);
 }
 
 /// The baker passes pictures on, so they must be whole.

@@ -16,7 +16,7 @@ struct ObjStatements {
   std::vector<std::string> libraries;  ///< names after mtllib
 };
 
-/// Errors: kMalformed (with the line's number), kLimit (names or numbers that are too long, too many polygons' corners).
+/// Errors: kMalformed (with the line's number), kLimit (names or numbers that are too long, too many corners).
 ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file);
 
 }  // namespace jalousie::bake

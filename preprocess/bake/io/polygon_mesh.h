@@ -3,11 +3,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <string>
 #include <vector>
-
-#include "bake/mesh/triangle_mesh.h"
 
 namespace jalousie::bake {
 
@@ -51,31 +48,11 @@ struct PolygonMesh {
   bool hasSmoothing = false;  ///< the file has smoothing groups
 };
 
-/// The triangles of one object with one material. Normals are empty if there are none.
-struct SurfacePart {
-  int material = -1;
-  TriangleMesh mesh;
-};
-
-struct SurfaceObject {
-  std::string name;
-  glm::dvec3 offset{0.0};  ///< to add to all positions
-  std::vector<SurfacePart> parts;
-};
-
 /// How corners without a normal get one.
 enum class NormalRule {
   kNone,    ///< not at all: the part has no normals if one is missing
   kCreases  ///< by smoothing groups; without groups, edges that bend by more than kCreaseDegrees are creases
 };
 inline constexpr double kCreaseDegrees = 45.0;
-
-/// Triangulates the faces and collects them by object and material; objects without faces are left out. Objects that
-/// are far from the origin for their size get an offset, so that single precision is exact enough for them.
-/// @pre the indices are in range
-std::vector<SurfaceObject> buildObjects(const PolygonMesh& mesh, NormalRule rule);
-
-/// The n - 2 triangles of a polygon as indices of its corners, by ear clipping in the plane of its mean normal. A convex polygon becomes a fan around its first corner.
-std::vector<std::uint32_t> triangulate(std::span<const glm::dvec3> polygon);
 
 }  // namespace jalousie::bake

@@ -9,6 +9,7 @@
 
 #include "asset/accessor.h"
 #include "asset/image_io.h"
+#include "bake/io/surface_objects.h"
 #include "bake/mesh/normals.h"
 
 namespace jalousie::bake {
@@ -123,13 +124,12 @@ void appendNode(tinygltf::Model& model, tinygltf::Mesh mesh, const glm::dvec3& o
 
 }  // namespace
 
-void appendSurface(tinygltf::Model& model, const PolygonMesh& mesh, NormalRule rule, const std::string& name,
-                   const PictureSource& pictures, Notes& notes) {
-  Materials materials(model, pictures, notes);
+void appendSurface(tinygltf::Model& model, const PolygonMesh& mesh, const SurfaceSource& source, Notes& notes) {
+  Materials materials(model, source.pictures, notes);
   std::map<int, int> indices = {{-1, -1}};
-  for (SurfaceObject& object : buildObjects(mesh, rule)) {
+  for (SurfaceObject& object : buildObjects(mesh, source.rule)) {
     tinygltf::Mesh target;
-    target.name = utf8(object.name.empty() ? name : object.name);
+    target.name = utf8(object.name.empty() ? source.name : object.name);
     for (SurfacePart& part : object.parts) {
       const auto [place, isNew] = indices.try_emplace(part.material, -1);
       if (isNew) place->second = materials.append(mesh.materials[static_cast<std::size_t>(part.material)]);

@@ -17,10 +17,16 @@ namespace jalousie::bake {
 /// Bytes of a file beside the input; nullopt if it cannot be read.
 using PictureSource = std::function<std::optional<std::vector<std::byte>>(const std::string& name)>;
 
+/// Where a mesh comes from.
+struct SurfaceSource {
+  std::string name;  ///< of objects without one
+  NormalRule rule = NormalRule::kNone;
+  PictureSource pictures;
+};
+
 /// Adds a node with a mesh for each object and the materials that are in use. Pictures are embedded as they are; one
-/// that is missing, or is no PNG, JPEG or WebP, is noted and left out. Smooth normals are made where there are none.
-/// @param mesh  its unnamed objects get the name `name`
-void appendSurface(tinygltf::Model& model, const PolygonMesh& mesh, NormalRule rule, const std::string& name,
-                   const PictureSource& pictures, Notes& notes);
+/// that is missing, or is no PNG, JPEG or WebP, is noted and left out. Smooth normals are made where the rule leaves
+/// none.
+void appendSurface(tinygltf::Model& model, const PolygonMesh& mesh, const SurfaceSource& source, Notes& notes);
 
 }  // namespace jalousie::bake

@@ -1,9 +1,9 @@
 // Ear clipping of simple polygons, in double precision.
+#include "bake/io/triangulate.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-
-#include "bake/io/polygon_mesh.h"
+#include <utility>
 
 namespace jalousie::bake {
 namespace {

@@ -1,5 +1,5 @@
 // Triangles first, then normals for each corner, then one vertex for each different corner of a part.
-#include "bake/io/polygon_mesh.h"
+#include "bake/io/surface_objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bake/io/corner_normals.h"
+#include "bake/io/triangulate.h"
 
 namespace jalousie::bake {
 namespace {
