@@ -67,7 +67,7 @@ TEST(KeptContent, EveryIndexWhereverItStandsLeadsToTheSameBytes) {
     Glb input = richDocument();
     std::set<std::string> used;
     for (int k = 0; k < 4; ++k) {
-      const std::string place = places[random() % places.size()];
+      const std::string& place = places[random() % places.size()];
       used.insert(place);
       at(input.json, place)["extensions"]["VENDOR_numbers"] = {
           {"accessor", random() % input.json["accessors"].size()},
@@ -366,7 +366,8 @@ TEST(KeptContent, StripsAndFansAreBakedAndLinesStay) {
   std::vector<float> positions;
   std::vector<std::uint32_t> strip;
   for (std::uint32_t i = 0; i < 40; ++i) {
-    positions.insert(positions.end(), {0.1F * static_cast<float>(i / 2), static_cast<float>(i % 2), 3.0F});
+    const std::uint32_t step = i / 2;
+    positions.insert(positions.end(), {0.1F * static_cast<float>(step), static_cast<float>(i % 2), 3.0F});
     strip.push_back(i);
   }
   const std::size_t place = test::appendAccessor(input, positions, 5126, "VEC3", 3);

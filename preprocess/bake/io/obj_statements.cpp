@@ -82,13 +82,13 @@ class Reader {
 
   double number(const Words& words, std::size_t i) const {
     std::string_view word = words[i];
-    if (word.size() > 64)
-      throw Error(ErrorCode::kLimit, fmt::format("line {}: a number of {} digits", line_, word.size()), file_);
     if (word.starts_with('+')) word.remove_prefix(1);
     double value = 0.0;
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool isNumber = status == std::errc() && end == word.data() + word.size();
     if (!isNumber || !std::isfinite(static_cast<float>(value))) fail("not a finite number");
+    if (word.size() > 64)
+      throw Error(ErrorCode::kLimit, fmt::format("line {}: a number of {} digits", line_, word.size()), file_);
     return value;
   }
 
