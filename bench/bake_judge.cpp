@@ -56,7 +56,8 @@ WedgeMesh load(const std::string& name) {
   const std::size_t at = name.rfind('@');
   const std::string file = name.substr(0, at);
   const std::size_t lod = at == std::string::npos ? 0 : std::stoul(name.substr(at + 1));
-  const tinygltf::Model model = bake::importFiles({file}, {});
+  bake::Notes notes;
+  const tinygltf::Model model = bake::importFiles({file}, {}, notes);
   std::vector<bool> isLower(model.nodes.size(), false);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     for (const int lower : asset::lodNodes(model, static_cast<int>(n)))

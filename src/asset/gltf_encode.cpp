@@ -1,21 +1,20 @@
-// Serialisation as GLB: renumber what is referenced, repack the bytes, let tinygltf write the JSON, mend what it writes
-// wrongly, assemble the chunks.
+// Serialisation as GLB: write the JSON, settle what is not referred to, repack the bytes, assemble the chunks.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <limits>
-#include <locale>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "asset/accessor_layout.h"
 #include "asset/gltf_file.h"
+#include "asset/gltf_merge.h"
 #include "asset/gltf_meshopt.h"
+#include "asset/gltf_model.h"
+#include "asset/gltf_references.h"
 #include "asset/image_io.h"
 #include "core/check.h"
 #include "core/error.h"
@@ -25,85 +24,6 @@ namespace {
 
 using nlohmann::json;
 using tinygltf::Model;
-
-constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
-
-/// Sees an index and may change it.
-using Visit = std::function<void(int&)>;
-
-/// Visits the accessors of a node's instance attributes.
-void forEachInstanceAccessor(tinygltf::Node& node, const Visit& visit) {
-  const auto found = node.extensions.find(kInstancing);
-  if (found == node.extensions.end() || !found->second.IsObject() || !found->second.Get("attributes").IsObject())
-    return;
-  auto extension = found->second.Get<tinygltf::Value::Object>();
-  auto attributes = extension["attributes"].Get<tinygltf::Value::Object>();
-  for (auto& [name, value] : attributes) {
-    int accessor = value.GetNumberAsInt();
-    visit(accessor);
-    value = tinygltf::Value(accessor);
-  }
-  extension["attributes"] = tinygltf::Value(std::move(attributes));
-  found->second = tinygltf::Value(std::move(extension));
-}
-
-/// Visits every accessor index of a model.
-void forEachAccessor(Model& model, const Visit& visit) {
-  for (tinygltf::Mesh& mesh : model.meshes) {
-    for (tinygltf::Primitive& primitive : mesh.primitives) {
-      if (primitive.indices >= 0) visit(primitive.indices);
-      for (auto& [name, accessor] : primitive.attributes)
-        visit(accessor);
-      for (auto& target : primitive.targets) {
-        for (auto& [name, accessor] : target)
-          visit(accessor);
-      }
-    }
-  }
-  for (tinygltf::Animation& animation : model.animations) {
-    for (tinygltf::AnimationSampler& sampler : animation.samplers) {
-      visit(sampler.input);
-      visit(sampler.output);
-    }
-  }
-  for (tinygltf::Skin& skin : model.skins) {
-    if (skin.inverseBindMatrices >= 0) visit(skin.inverseBindMatrices);
-  }
-  for (tinygltf::Node& node : model.nodes)
-    forEachInstanceAccessor(node, visit);
-}
-
-/// Visits every buffer view index of a model.
-void forEachView(Model& model, const Visit& visit) {
-  for (tinygltf::Accessor& accessor : model.accessors) {
-    if (accessor.bufferView >= 0) visit(accessor.bufferView);
-    if (!accessor.sparse.isSparse) continue;
-    visit(accessor.sparse.indices.bufferView);
-    visit(accessor.sparse.values.bufferView);
-  }
-  for (tinygltf::Image& image : model.images) {
-    if (image.bufferView >= 0) visit(image.bufferView);
-  }
-}
-
-/// Drops the elements nothing refers to and renumbers the references. @param forEach  (model, visit(int&))
-template <class Element, class ForEach>
-void dropUnused(Model& model, std::vector<Element>& elements, const ForEach& forEach) {
-  std::vector<int> newIndex(elements.size(), -1);
-  forEach(model, [&](int& index) {
-    JAL_CHECK(index >= 0);
-    JAL_CHECK(static_cast<std::size_t>(index) < newIndex.size());
-    newIndex[static_cast<std::size_t>(index)] = 0;
-  });
-  std::vector<Element> kept;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (newIndex[i] < 0) continue;
-    newIndex[i] = static_cast<int>(kept.size());
-    kept.push_back(std::move(elements[i]));
-  }
-  elements = std::move(kept);
-  forEach(model, [&](int& index) { index = newIndex[static_cast<std::size_t>(index)]; });
-}
 
 std::size_t aligned(std::size_t size) {
   return (size + 3) / 4 * 4;
@@ -116,93 +36,95 @@ void appendAligned(std::vector<unsigned char>& data, std::span<const std::byte> 
   if (!bytes.empty()) std::memcpy(data.data() + offset, bytes.data(), bytes.size());
 }
 
-/// Copies every view into one buffer, in order.
-void repackViews(Model& model) {
-  std::vector<unsigned char> packed;
-  std::vector<std::size_t> offsets;
-  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-    offsets.push_back(aligned(packed.size()));
-    appendAligned(packed, detail::viewBytes(model, static_cast<int>(i)));
-  }
-  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-    model.bufferViews[i].buffer = 0;
-    model.bufferViews[i].byteOffset = offsets[i];
-  }
-  model.buffers.clear();
-  if (packed.empty()) return;
-  model.buffers.emplace_back();
-  model.buffers[0].data = std::move(packed);
-}
+using Buffers = std::vector<std::vector<unsigned char>>;
 
-/// Moves encoded images behind the other data, each in a view of its own.
+/// Gives each picture a view of its bytes, appended unless it has one already.
 void embedImages(Model& model) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     tinygltf::Image& image = model.images[i];
     image.uri.clear();
-    if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
-    if (image.image.empty() || image.mimeType.empty())
+    std::span<const std::byte> bytes = std::as_bytes(std::span(image.image));
+    std::span<const std::byte> there;
+    if (image.bufferView >= 0) there = detail::viewBytes(model, image.bufferView);
+    if (bytes.empty()) bytes = there;
+    if (image.mimeType.empty()) image.mimeType = imageMimeType(bytes);
+    if (bytes.empty() || image.mimeType.empty())
       throw Error(ErrorCode::kUnsupported, fmt::format("image {} holds no PNG, JPEG or WebP", i));
-    if (model.buffers.empty()) model.buffers.emplace_back();
-    appendAligned(model.buffers[0].data, std::as_bytes(std::span(image.image)));
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteLength = image.image.size();
-    view.byteOffset = model.buffers[0].data.size() - view.byteLength;
-    image.bufferView = static_cast<int>(model.bufferViews.size());
-    model.bufferViews.push_back(std::move(view));
+    if (!std::equal(bytes.begin(), bytes.end(), there.begin(), there.end())) {
+      if (model.buffers.empty()) model.buffers.emplace_back();
+      appendAligned(model.buffers[0].data, bytes);
+      tinygltf::BufferView view;
+      view.buffer = 0;
+      view.byteLength = bytes.size();
+      view.byteOffset = model.buffers[0].data.size() - view.byteLength;
+      image.bufferView = static_cast<int>(model.bufferViews.size());
+      model.bufferViews.push_back(std::move(view));
+    }
     image.image.clear();
   }
 }
 
-/// Defaults that tinygltf's structs hold as values its writer would print as invalid JSON.
-void settleDefaults(Model& model) {
-  for (tinygltf::Mesh& mesh : model.meshes) {
-    for (tinygltf::Primitive& primitive : mesh.primitives) {
-      if (primitive.mode < 0) primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    }
-  }
-  std::erase_if(model.animations, [](const tinygltf::Animation& animation) { return animation.channels.empty(); });
+/// The JSON of the model: that of its document with the changes made since, if it carries one.
+json documentOf(Model& model, const json& original) {
+  model.extensions_json_string.clear();
+  json document = detail::jsonOf(model);
+  if (original.is_null()) return document;
+  json merged = original;
+  detail::applyChanges(merged, detail::understoodJson(original), document);
+  if (const auto images = merged.find("images"); images != merged.end())
+    for (json& image : *images)
+      image.erase("uri");  // all have views
+  return merged;
 }
 
-json modelJson(const Model& model) {
-  tinygltf::TinyGLTF writer;
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  if (!writer.WriteGltfSceneToStream(&model, stream, false, false))
-    throw Error(ErrorCode::kInternal, "glTF serialisation failed");
-  return json::parse(stream.str());
+std::span<const std::byte> bytesOf(const json& view, const Buffers& buffers) {
+  const auto buffer = view.at("buffer").get<std::size_t>();
+  JAL_CHECK(buffer < buffers.size());
+  return std::as_bytes(std::span(buffers[buffer]))
+      .subspan(view.value("byteOffset", std::size_t{0}), view.at("byteLength").get<std::size_t>());
 }
 
-/// tinygltf writes sizes as 32-bit integers with a sign.
-void mendSizes(json& document, const Model& model) {
-  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-    document["bufferViews"][i]["byteOffset"] = model.bufferViews[i].byteOffset;
-    document["bufferViews"][i]["byteLength"] = model.bufferViews[i].byteLength;
+/// Copies the bytes of every view into one buffer, in order.
+std::vector<unsigned char> packViews(json& document, const Buffers& buffers) {
+  std::vector<unsigned char> packed;
+  if (!document.contains("bufferViews")) return packed;
+  for (json& view : document["bufferViews"]) {
+    appendAligned(packed, bytesOf(view, buffers));
+    view["byteOffset"] = packed.size() - view.at("byteLength").get<std::size_t>();
+    view["buffer"] = 0;
   }
-  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
-    document["accessors"][i]["count"] = model.accessors[i].count;
-    if (model.accessors[i].byteOffset > 0) document["accessors"][i]["byteOffset"] = model.accessors[i].byteOffset;
-  }
+  return packed;
 }
 
-/// tinygltf writes null for empty objects and arrays, and zfar 0 for an infinite projection; it leaves out the names of
-/// samplers.
-void mendJson(json& document, const Model& model) {
-  mendSizes(document, model);
-  for (std::size_t i = 0; i < model.samplers.size(); ++i)
-    if (!model.samplers[i].name.empty()) document["samplers"][i]["name"] = model.samplers[i].name;
-  for (const char* key : {"scenes", "nodes", "textures", "skins"}) {
-    if (!document.contains(key)) continue;
-    for (json& entry : document[key]) {
-      if (entry.is_null()) entry = json::object();
-    }
+/// Puts the buffers behind each other, so that what lies in the first one keeps its place.
+std::vector<unsigned char> joinBuffers(json& document, Buffers buffers) {
+  std::vector<std::size_t> starts;
+  std::vector<unsigned char> joined;
+  if (!buffers.empty()) joined = std::move(buffers[0]);
+  starts.push_back(0);
+  for (std::size_t i = 1; i < buffers.size(); ++i) {
+    starts.push_back(aligned(joined.size()));
+    appendAligned(joined, std::as_bytes(std::span(buffers[i])));
   }
-  if (document.contains("animations") && document["animations"].is_null()) document.erase("animations");
-  if (!document.contains("cameras")) return;
-  for (json& camera : document["cameras"]) {
-    const auto perspective = camera.find("perspective");
-    if (perspective != camera.end() && perspective->value("zfar", 0.0) <= 0.0) perspective->erase("zfar");
+  if (!document.contains("bufferViews")) return joined;
+  for (json& view : document["bufferViews"]) {
+    const std::size_t start = starts.at(view.at("buffer").get<std::size_t>());
+    view["byteOffset"] = start + view.value("byteOffset", std::size_t{0});
+    view["buffer"] = 0;
   }
+  return joined;
+}
+
+/// Settles what becomes of accessors and views without a use. @return  the bytes of the one buffer
+std::vector<unsigned char> settleViews(json& document, const json& original, Buffers buffers) {
+  const detail::Unused fate = detail::fateOfUnused(document);
+  if (fate == detail::Unused::kKeep) return joinBuffers(document, std::move(buffers));
+  if (fate == detail::Unused::kEmpty && !original.is_null()) {
+    detail::emptyUnreferenced(document, detail::keepUnknown(document, original));
+  } else {
+    detail::dropUnreferenced(document, detail::findReferences(document));
+  }
+  return packViews(document, buffers);
 }
 
 void appendWord(std::vector<std::byte>& out, std::uint32_t value) {
@@ -235,26 +157,17 @@ std::vector<std::byte> assemble(const std::string& text, std::span<const std::by
 }  // namespace
 
 std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) {
-  for (tinygltf::Image& image : model.images) {
-    // Bytes in memory are what counts; an image without them keeps those of its view.
-    if (image.image.empty() && image.bufferView >= 0) {
-      const auto bytes = detail::viewBytes(model, image.bufferView);
-      const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
-      image.image.assign(first, first + bytes.size());
-    }
-    image.bufferView = -1;
-  }
-  dropUnused(model, model.accessors, forEachAccessor);
-  dropUnused(model, model.bufferViews, forEachView);
-  repackViews(model);
+  json original;
+  if (!model.extensions_json_string.empty()) original = json::parse(model.extensions_json_string);
+  for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
+    detail::viewBytes(model, static_cast<int>(i));  // in range
   embedImages(model);
-  settleDefaults(model);
-
-  std::vector<unsigned char> binary =
-      model.buffers.empty() ? std::vector<unsigned char>{} : std::move(model.buffers[0].data);
-  model.buffers.clear();
-  json document = modelJson(model);
-  mendJson(document, model);
+  Buffers buffers;
+  for (tinygltf::Buffer& buffer : model.buffers)
+    buffers.push_back(std::move(buffer.data));
+  json document = documentOf(model, original);
+  std::vector<unsigned char> binary = settleViews(document, original, std::move(buffers));
+  document.erase("buffers");
   if (!binary.empty()) document["buffers"] = json::array({json::object({{"byteLength", binary.size()}})});
   if (options.compress) detail::encodeMeshoptViews(document, binary);
   return assemble(document.dump(), std::as_bytes(std::span(binary)));

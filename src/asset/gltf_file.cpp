@@ -1,5 +1,4 @@
-// Loading: we read every file and check the document ourselves; tinygltf only turns checked JSON into its structs and
-// is handed the bytes of buffers and images through its callbacks, so that no URI of a document reaches it.
+// Loading: every file is read and the document is checked here; tinygltf only turns checked JSON into its structs.
 #include "asset/gltf_file.h"
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "asset/gltf_images.h"
 #include "asset/gltf_json.h"
 #include "asset/gltf_meshopt.h"
+#include "asset/gltf_model.h"
 #include "asset/gltf_resources.h"
 #include "asset/gltf_validate.h"
 #include "asset/image_io.h"
@@ -87,12 +87,6 @@ Parts split(std::span<const std::byte> bytes, const Path& file) {
   return {text, std::nullopt};
 }
 
-/// What tinygltf asks for through its callbacks, in place of the files a document names.
-struct Resources {
-  std::vector<std::vector<unsigned char>> buffers;
-  std::vector<tinygltf::Image> images;  ///< encoded bytes, URI, MIME type and buffer view of the document
-};
-
 std::optional<std::string> uriOf(const json& object, const Path& file) {
   const auto found = object.find("uri");
   if (found == object.end()) return std::nullopt;
@@ -136,13 +130,14 @@ tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::R
 }
 
 /// Loads all resources and replaces their references in the document by "buffer/I" and "image/I".
-Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader, const Limits& limits,
-                        const Path& file) {
-  Resources resources;
+detail::Resources takeResources(json& document, const Parts& parts, detail::ResourceLoader& loader,
+                                const Limits& limits, const Path& file) {
+  detail::Resources resources;
+  const std::vector<bool> isFallback = detail::findMeshoptFallbacks(document, parts.binary.has_value());
   if (const auto buffers = document.find("buffers"); buffers != document.end()) {
     for (json& buffer : *buffers) {
       const std::size_t index = resources.buffers.size();
-      if (detail::isMeshoptFallback(buffer)) {
+      if (isFallback[index]) {
         // Views on it get buffers of their own; one that is not compressed would lie outside of these four bytes.
         buffer["byteLength"] = 4;
         resources.buffers.emplace_back(4, static_cast<unsigned char>(0));
@@ -164,68 +159,19 @@ Resources takeResources(json& document, const Parts& parts, detail::ResourceLoad
   return resources;
 }
 
-bool resourceExists(const std::string&, void*) {
-  return true;
-}
-
-std::string samePath(const std::string& path, void*) {
-  return path;
-}
-
-bool readResource(std::vector<unsigned char>* out, std::string*, const std::string& path, void* user) {
-  auto& resources = *static_cast<Resources*>(user);
-  const std::size_t slash = path.rfind('/');
-  const std::size_t index = std::stoul(path.substr(slash + 1));
-  if (path.substr(0, slash).ends_with("buffer")) {
-    *out = std::move(resources.buffers.at(index));
-  } else {
-    out->assign(1, 0);  // the image callback supplies the bytes; tinygltf only insists on some
-  }
-  return true;
-}
-
-bool refuseWrite(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-  return false;
-}
-
-bool keepEncoded(tinygltf::Image* image, const int index, std::string*, std::string*, int, int, const unsigned char*,
-                 int, void* user) {
-  tinygltf::Image& source = static_cast<Resources*>(user)->images.at(static_cast<std::size_t>(index));
-  image->image = std::move(source.image);
-  image->uri = std::move(source.uri);
-  image->mimeType = std::move(source.mimeType);
-  image->bufferView = -1;
-  image->as_is = true;
-  return true;
-}
-
-tinygltf::Model parseModel(json document, Resources& resources, const Path& file) {
-  const std::string text = document.dump();
-  document = nullptr;  // large ones must not be in memory twice
-  if (text.size() > std::numeric_limits<unsigned int>::max())
-    throw Error(ErrorCode::kLimit, "the JSON exceeds 4 GiB", file);
-  tinygltf::TinyGLTF parser;
-  parser.SetFsCallbacks({resourceExists, samePath, readResource, refuseWrite, &resources});
-  parser.SetImageLoader(keepEncoded, &resources);
-  tinygltf::Model model;
-  std::string errors;
-  std::string warnings;
-  if (!parser.LoadASCIIFromString(&model, &errors, &warnings, text.data(), static_cast<unsigned int>(text.size()),
-                                  "")) {
-    errors = errors.substr(0, errors.find('\n'));
-    throw Error(ErrorCode::kMalformed, errors.empty() ? "no valid glTF" : errors, file);
-  }
-  return model;
-}
-
 /// Gives the images of buffer views their bytes, and looks at what all of them are.
-void fillImages(tinygltf::Model& model, const Resources& resources, detail::ResourceLoader& loader,
+void fillImages(tinygltf::Model& model, const detail::Resources& resources, detail::ResourceLoader& loader,
                 const Limits& limits) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
     tinygltf::Image& image = model.images[i];
     image.bufferView = resources.images[i].bufferView;
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
     if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
+    const std::string_view foreign = detail::foreignMimeType(std::as_bytes(std::span(image.image)));
+    if (!foreign.empty()) {
+      image.mimeType = foreign;
+      continue;
+    }
     detail::useImage(model, i, [&](std::span<const std::byte> bytes) { imageSize(bytes, limits.images); });
   }
 }
@@ -236,12 +182,15 @@ void clearPlaceholders(tinygltf::Model& model) {
 }
 
 tinygltf::Model parseChecked(std::span<const std::byte> bytes, const Path& path, const Limits& limits,
-                             const ReadObserver& observer) {
+                             const ReadObserver& observer, Retain retain) {
   const Parts parts = split(bytes, path);
   json document = detail::parseDocument(parts.json, limits, path);
   detail::ResourceLoader loader(path, limits, observer);
-  Resources resources = takeResources(document, parts, loader, limits, path);
-  tinygltf::Model model = parseModel(std::move(document), resources, path);
+  detail::Resources resources = takeResources(document, parts, loader, limits, path);
+  std::string text;
+  if (retain == Retain::kDocument) text = document.dump();
+  tinygltf::Model model = detail::modelOf(std::move(document), resources, path);
+  model.extensions_json_string = std::move(text);
   clearPlaceholders(model);
   fillImages(model, resources, loader, limits);
   detail::validateModel(model, limits);
@@ -255,9 +204,9 @@ tinygltf::Model loadGltf(const Path& path, const Limits& limits, const ReadObser
 }
 
 tinygltf::Model parseGltf(std::span<const std::byte> bytes, const Path& path, const Limits& limits,
-                          const ReadObserver& observer) {
+                          const ReadObserver& observer, Retain retain) {
   try {
-    return parseChecked(bytes, path, limits, observer);
+    return parseChecked(bytes, path, limits, observer, retain);
   } catch (const Error& error) {
     if (!error.file().empty()) throw;
     throw Error(error.code(), error.what(), path);

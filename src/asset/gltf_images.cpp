@@ -28,6 +28,7 @@ class ImageCheck {
  private:
   void check(std::span<const std::byte> bytes) {
     if (!seen_.insert({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).second) return;
+    if (!detail::foreignMimeType(bytes).empty()) return;
     const ImageSize size = imageSize(bytes, limits_.images);
     bytes_ += bytes.size();
     pixels_ += std::uint64_t{size.width} * size.height;
@@ -60,6 +61,14 @@ void checkImages(const tinygltf::Model& model, const std::filesystem::path& path
 }
 
 namespace detail {
+
+std::string_view foreignMimeType(std::span<const std::byte> encoded) {
+  const std::string_view text(reinterpret_cast<const char*>(encoded.data()), encoded.size());
+  if (text.starts_with("\xABKTX 20\xBB")) return "image/ktx2";
+  if (text.starts_with("DDS ")) return "image/vnd-ms.dds";
+  if (text.size() >= 12 && text.substr(4, 8) == "ftypavif") return "image/avif";
+  return {};
+}
 
 int imageOfTexture(const tinygltf::Texture& texture) {
   const auto found = texture.extensions.find(kWebp);

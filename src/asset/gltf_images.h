@@ -6,18 +6,23 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 #include "asset/read_limits.h"
 #include "core/error.h"
 
 namespace jalousie::asset {
 
-/// Decodes every picture of a document and keeps none, so that no broken one is passed on; equal ones are decoded once.
-/// Each takes the memory of checkImage. @param path  the document's file, for messages
+/// Decodes every PNG, JPEG and WebP of a document and keeps none, so that no broken one is passed on; equal ones are
+/// decoded once. Each takes the memory of checkImage. @param path  the document's file, for messages
 /// Errors: as decodeImage; kLimit if the pictures have far more pixels than bytes. The message names the picture.
 void checkImages(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
 
 namespace detail {
+
+/// The MIME type of a picture that extensions allow and nobody here decodes: KTX2, AVIF, DDS; else empty. Such pictures
+/// are passed on as they are.
+std::string_view foreignMimeType(std::span<const std::byte> encoded);
 
 /// Index of the picture that a texture shows: that of EXT_texture_webp if present; -1: none. Errors (without a file):
 /// kMalformed for an extension without an index.

@@ -22,7 +22,11 @@ constexpr std::uint64_t kMaxSize = 1ULL << 53U;  // integers a JSON number carri
 
 constexpr std::array kKnownExtensions = {
     "MSFT_lod", "EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_texture_transform", "EXT_meshopt_compression",
-    "EXT_texture_webp",
+    "EXT_texture_webp", "KHR_meshopt_compression",
+    // kept as they are; geometry can be read without them
+    "EXT_instance_features", "EXT_mesh_features", "EXT_structural_metadata", "EXT_texture_avif",
+    "KHR_animation_pointer", "KHR_lights_punctual", "KHR_materials_variants", "KHR_node_visibility",
+    "KHR_texture_basisu", "KHR_xmp_json_ld", "MSFT_texture_dds",
     // of materials, which are kept as they are
     "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_iridescence",

@@ -5,6 +5,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -69,6 +70,19 @@ void checkStride(const Compressed& source, std::size_t view, const Path& file) {
   }
 }
 
+/// Version 1 of the vertex codec and the filter of colours belong to KHR_meshopt_compression only.
+void requireKnownCodec(const Compressed& source, std::size_t view, const Path& file) {
+  constexpr unsigned kVertexHeader = 0xa0;
+  const bool isNewer = source.mode == "ATTRIBUTES" && source.size > 0 && (source.data[0] & 0xf0U) == kVertexHeader &&
+                       (source.data[0] & 0x0fU) > 0;
+  if (isNewer || source.filter == "COLOR")
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("buffer view {}: KHR_meshopt_compression with a codec or filter that the installed "
+                            "meshoptimizer does not have",
+                            view),
+                file);
+}
+
 Compressed readExtension(const json& extension, const json& bufferView, std::size_t view,
                          const std::vector<Bytes>& buffers, const Path& file) {
   if (!extension.is_object()) malformed(view, "not an object", file);
@@ -91,6 +105,7 @@ Compressed readExtension(const json& extension, const json& bufferView, std::siz
                     static_cast<std::size_t>(count),
                     stringMember(extension, "mode", "", view, file),
                     stringMember(extension, "filter", "NONE", view, file)};
+  requireKnownCodec(source, view, file);
   checkStride(source, view, file);
   // Both codecs spend at least two bits on sixteen bytes; more is a demand for memory, not data.
   if (decoded / kMaxExpansion > source.size) malformed(view, "the data is too short for what it unfolds to", file);
@@ -115,11 +130,23 @@ Bytes decode(const Compressed& source, std::size_t view, const Path& file) {
   return decoded;
 }
 
+constexpr std::array kNames = {kMeshoptExtension, "KHR_meshopt_compression"};
+
+/// The name under which an object has the extension; null if it has not.
+const char* nameIn(const json& object) {
+  const auto extensions = object.find("extensions");
+  if (extensions == object.end() || !extensions->is_object()) return nullptr;
+  for (const char* name : kNames)
+    if (extensions->contains(name)) return name;
+  return nullptr;
+}
+
 void forgetExtension(json& document) {
   for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
     const auto found = document.find(key);
     if (found == document.end() || !found->is_array()) continue;
-    found->erase(std::remove(found->begin(), found->end(), json(kMeshoptExtension)), found->end());
+    for (const char* name : kNames)
+      found->erase(std::remove(found->begin(), found->end(), json(name)), found->end());
     if (found->empty()) document.erase(key);
   }
 }
@@ -249,19 +276,36 @@ std::size_t aligned(std::size_t size) {
 
 }  // namespace
 
-bool isMeshoptFallback(const json& buffer) {
-  const auto extensions = buffer.find("extensions");
-  if (extensions == buffer.end() || !extensions->is_object() || buffer.contains("uri")) return false;
-  const auto found = extensions->find(kMeshoptExtension);
-  return found != extensions->end() && found->is_object() && found->value("fallback", json(false)) == json(true);
+std::vector<bool> findMeshoptFallbacks(const json& document, bool hasChunk) {
+  const json buffers = document.value("buffers", json::array());
+  std::vector<bool> fallback(buffers.size(), false);
+  std::vector<bool> mayBe(buffers.size(), false);
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (buffers[i].contains("uri")) continue;
+    const char* name = nameIn(buffers[i]);
+    const json* extension = name == nullptr ? nullptr : &buffers[i]["extensions"][name];
+    fallback[i] =
+        extension != nullptr && extension->is_object() && extension->value("fallback", json(false)) == json(true);
+    mayBe[i] = !fallback[i] && (i > 0 || !hasChunk);
+  }
+  std::vector<bool> isViewed(buffers.size(), false);
+  for (const json& view : document.value("bufferViews", json::array())) {
+    const json index = view.value("buffer", json());
+    if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= buffers.size()) continue;
+    const auto buffer = index.get<std::size_t>();
+    isViewed[buffer] = true;
+    if (nameIn(view) == nullptr) mayBe[buffer] = false;
+  }
+  for (std::size_t i = 0; i < buffers.size(); ++i)
+    fallback[i] = fallback[i] || (mayBe[i] && isViewed[i]);
+  return fallback;
 }
 
 void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limits& limits, const Path& file) {
   forgetExtension(document);
   if (const auto list = document.find("buffers"); list != document.end()) {
     for (json& buffer : *list) {
-      if (const auto extensions = buffer.find("extensions"); extensions != buffer.end() && extensions->is_object())
-        extensions->erase(kMeshoptExtension);
+      if (const char* name = nameIn(buffer)) buffer["extensions"].erase(name);
     }
   }
   const auto views = document.find("bufferViews");
@@ -273,14 +317,14 @@ void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limit
   const std::uint64_t most = std::min(limits.maxFileBytes, kFreeBytes + kMaxExpansion * given);
   for (std::size_t i = 0; i < views->size(); ++i) {
     json& view = (*views)[i];
-    const auto extensions = view.find("extensions");
-    if (extensions == view.end() || !extensions->is_object() || !extensions->contains(kMeshoptExtension)) continue;
-    const Compressed source = readExtension((*extensions)[kMeshoptExtension], view, i, buffers, file);
+    const char* name = nameIn(view);
+    if (name == nullptr) continue;
+    const Compressed source = readExtension(view["extensions"][name], view, i, buffers, file);
     total += std::uint64_t{source.count} * source.stride;
     if (total > most)
       throw Error(ErrorCode::kLimit, fmt::format("compressed data unfolds to more than {} bytes", most), file);
     Bytes decoded = decode(source, i, file);
-    extensions->erase(kMeshoptExtension);
+    view["extensions"].erase(name);
     view["buffer"] = buffers.size();
     view["byteOffset"] = 0;
     document["buffers"].push_back({{"byteLength", decoded.size()}, {"uri", fmt::format("buffer/{}", buffers.size())}});

@@ -1,4 +1,5 @@
-// EXT_meshopt_compression: decodes and encodes buffer views, given a document's JSON and its buffers.
+// EXT_meshopt_compression, and what is the same in KHR_meshopt_compression: decodes and encodes buffer views, given a
+// document's JSON and its buffers.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,9 @@ namespace jalousie::asset::detail {
 
 inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
 
-/// Whether a buffer only stands in for compressed data and has no bytes of its own.
-bool isMeshoptFallback(const nlohmann::json& buffer);
+/// For each buffer whether it only stands in for compressed data and has no bytes of its own: it says so, or it has
+/// neither a URI nor a chunk and all views on it are compressed. @param hasChunk  the file has bytes for buffer 0
+std::vector<bool> findMeshoptFallbacks(const nlohmann::json& document, bool hasChunk);
 
 /// Decodes every compressed buffer view into a new buffer of its own and takes the extension out of the document, so
 /// that nothing else needs to know of it. @param buffers  bytes by index, appended to Errors: kMalformed (ranges,

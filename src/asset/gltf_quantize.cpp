@@ -32,7 +32,8 @@ bool canQuantize(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
            primitive.extensions.empty() &&
            std::all_of(primitive.attributes.begin(), primitive.attributes.end(), [&](const auto& attribute) {
              const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(attribute.second)];
-             return accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT && accessor.count > 0;
+             const bool isCustom = attribute.first.starts_with("_");  // stays as it is
+             return (isCustom || accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) && accessor.count > 0;
            });
   });
 }

@@ -28,10 +28,16 @@ constexpr double kMeanRounding = 1e-6;
   throw Error(ErrorCode::kMalformed, message);
 }
 
-/// Sets one member of extras, which becomes an object if it is none.
+constexpr const char* kOtherExtras = "value";
+
+/// Sets one member of extras. If they are no object, they become the member "value" of one.
 void setMember(tinygltf::Value& extras, const char* key, tinygltf::Value value) {
   tinygltf::Value::Object object;
-  if (extras.IsObject()) object = extras.Get<tinygltf::Value::Object>();
+  if (extras.IsObject()) {
+    object = extras.Get<tinygltf::Value::Object>();
+  } else if (extras.Type() != tinygltf::NULL_TYPE) {
+    object[kOtherExtras] = extras;
+  }
   object[key] = std::move(value);
   extras = tinygltf::Value(std::move(object));
 }

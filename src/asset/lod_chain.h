@@ -63,7 +63,8 @@ struct LodInfo {
 /// lists are equally long; numbers may be 0. Empty: the mesh is not divided into cells.
 using CellTriangles = std::vector<std::vector<std::uint32_t>>;
 
-/// Writes extras.jalousie of a level's mesh, keeping other extras. Cells that were there are removed.
+/// Writes extras.jalousie of a level's mesh, keeping other extras; those that are no object become extras.value.
+/// Cells that were there are removed.
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
 /// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, a mean above its maximum, unknown
 /// format version).

@@ -205,7 +205,7 @@ TEST_F(BakeBatch, ListsAndPatternsAreInputs) {
   EXPECT_TRUE(fs::exists(folder_ / "out/in/ball.glb"));
   EXPECT_EQ(report({"in/**/*.ply", "-o", "out/"})["summary"]["baked"], 2);
   EXPECT_EQ(bake({"--files-from", "nowhere", "-o", "out/"}).exitCode, 3);
-  EXPECT_EQ(bake({"in/*.stl", "-o", "out/"}).exitCode, 3);
+  EXPECT_EQ(bake({"in/*.xyz", "-o", "out/"}).exitCode, 3);
   EXPECT_EQ(bake({"-o", "out/"}).exitCode, 2);
 }
 

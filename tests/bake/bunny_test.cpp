@@ -24,7 +24,8 @@ constexpr std::array<Rival, 6> kGltfpack = {
     {{0.06172, 1.31}, {0.17326, 3.17}, {0.37650, 5.39}, {0.83384, 9.03}, {1.59006, 16.10}, {2.57106, 27.04}}};
 
 WedgeMesh bunny() {
-  const tinygltf::Model model = importFiles({kBunny}, {});
+  Notes notes;
+  const tinygltf::Model model = importFiles({kBunny}, {}, notes);
   return makeWedges(readCombinedMesh(model, model.meshes[0], {}));
 }
 

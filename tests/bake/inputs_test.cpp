@@ -71,7 +71,7 @@ TEST_F(Inputs, ListedFilesKeepTheirFolders) {
 TEST_F(Inputs, NothingFoundIsAnError) {
   std::filesystem::create_directory(folder_ / "empty");
   EXPECT_EQ(codeOf([&] { find({at("empty")}); }), ErrorCode::kFileNotFound);
-  EXPECT_EQ(codeOf([&] { find({at("models/*.stl")}); }), ErrorCode::kFileNotFound);
+  EXPECT_EQ(codeOf([&] { find({at("models/*.xyz")}); }), ErrorCode::kFileNotFound);
   EXPECT_EQ(codeOf([&] { find({at("no/where/*.ply")}); }), ErrorCode::kFileNotFound);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bake/bake_fixtures.h"
+#include "bake/surface_fixtures.h"
 
 namespace jalousie::bake {
 namespace {
@@ -15,7 +16,8 @@ using test::bytesOf;
 using test::codeOf;
 
 TriangleMesh read(const std::string& text) {
-  return readPly(bytesOf(text), "test.ply");
+  Notes notes;
+  return test::onlyPart(readPly(bytesOf(text), "test.ply", notes));
 }
 
 const std::string kHeader =
@@ -188,6 +190,60 @@ TEST(PlyReader, EveryTruncationAndEveryByteFlipIsAnErrorOrAValidMesh) {
       }
     }
   }
+}
+
+TEST(PlyReader, FacesHaveTextureCoordinatesAndPictures) {
+  const std::string text =
+      "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment TextureFile old stone.png\nelement vertex 4\n"
+      "property float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nproperty int texnumber\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+      "3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 0 0.25 1 0 0.5 0.5 1\n";
+  Notes notes;
+  const PolygonMesh mesh = readPly(bytesOf(text), "x.ply", notes);
+  ASSERT_EQ(mesh.materials.size(), 2U);
+  EXPECT_EQ(mesh.materials[1].baseColorPicture, "old stone.png");
+  const std::vector<SurfaceObject> objects = buildObjects(mesh, NormalRule::kNone);
+  ASSERT_EQ(objects[0].parts.size(), 2U);
+  EXPECT_EQ(objects[0].parts[0].material, 0);
+  EXPECT_EQ(objects[0].parts[0].mesh.uvs[2], glm::vec2(1, 0));  // v runs downwards in glTF
+  EXPECT_EQ(objects[0].parts[1].mesh.uvs[0], glm::vec2(0, 0.75F));
+}
+
+TEST(PlyReader, StripsBecomeTrianglesOfOneWinding) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n";
+  const TriangleMesh mesh = read(text);
+  ASSERT_EQ(mesh.indices.size(), 12U);
+  for (std::size_t i = 0; i < 12; i += 3)
+    EXPECT_GT(glm::cross(mesh.positions[mesh.indices[i + 1]] - mesh.positions[mesh.indices[i]],
+                         mesh.positions[mesh.indices[i + 2]] - mesh.positions[mesh.indices[i]])
+                  .z,
+              0.5F);
+  std::string bad = text;
+  bad.replace(bad.rfind("-1"), 2, "-2");
+  EXPECT_EQ(codeOf([&] { read(bad); }), ErrorCode::kMalformed);
+}
+
+TEST(PlyReader, ColoursHaveOtherNamesToo) {
+  for (const char* prefix : {"", "diffuse_"}) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    for (const char* channel : {"red", "green", "blue"})
+      text += std::string("property uchar ") + prefix +
+              (*prefix == '\0' ? std::string(channel).substr(0, 1) : channel) + "\n";
+    text += "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+    text += "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n";
+    const TriangleMesh mesh = read(text);
+    ASSERT_EQ(mesh.colors.size(), 3U) << prefix;
+    EXPECT_EQ(mesh.colors[1], glm::vec4(1, 0, 0, 1));
+  }
+}
+
+TEST(PlyReader, ConcavePolygonsKeepTheirArea) {
+  std::string text = kHeader + "0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n4 3 0 1 2\n";
+  EXPECT_NEAR(test::areaOf(read(text)), 1.0, 1e-6);
 }
 
 }  // namespace

@@ -150,5 +150,19 @@ TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "draft", "--weight-uv", "2"}, 2, "--weight-uv");
 }
 
+TEST_F(BakeProgram, WhatIsLeftOutIsSaidOnceForEachKind) {
+  std::ofstream(file("cup.obj"))
+      << "mtllib absent.mtl\nmtllib lost.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl clay\nf 1 2 3\n";
+  const std::string expected = "a material file is missing or cannot be read: absent.mtl and 1 more";
+  for (const char* run : {"first", "cached"}) {
+    const ProgramResult result =
+        bake({file("cup.obj"), "-o", file("cup.glb"), "--json", file("r.json"), "--cache", file("cache"), "-q"});
+    ASSERT_EQ(result.exitCode, 0) << result.standardError;
+    EXPECT_EQ(result.standardError, "jalousie-bake: warning: " + file("cup.obj") + ": " + expected + "\n") << run;
+    const nlohmann::json report = nlohmann::json::parse(std::ifstream(file("r.json")));
+    EXPECT_EQ(report["warnings"], nlohmann::json::array({expected}));
+  }
+}
+
 }  // namespace
 }  // namespace jalousie

@@ -18,6 +18,7 @@
 #include "bake/io/import.h"
 #include "bake/io/obj_reader.h"
 #include "bake/io/ply_reader.h"
+#include "bake/io/surface_objects.h"
 #include "bake/report/inspect.h"
 #include "bake/report/report.h"
 #include "core/check.h"
@@ -232,9 +233,16 @@ void exerciseImage(Bytes bytes) {
   }
 }
 
+void checkSurface(const bake::PolygonMesh& mesh, bake::NormalRule rule) {
+  for (const bake::SurfaceObject& object : bake::buildObjects(mesh, rule))
+    for (const bake::SurfacePart& part : object.parts)
+      checkMesh(part.mesh);
+}
+
 void exercisePly(Bytes bytes) {
+  bake::Notes notes;
   try {
-    checkMesh(bake::readPly(bytes, "fuzz.ply"));
+    checkSurface(bake::readPly(bytes, "fuzz.ply", notes), bake::NormalRule::kNone);
   } catch (const Error&) {
   }
 }
@@ -246,9 +254,10 @@ void exerciseObj(Bytes bytes) {
   const auto source = [&](const std::string&) {
     return std::optional(std::vector<std::byte>(materials.begin(), materials.end()));
   };
+  bake::Notes notes;
   try {
-    for (const bake::ObjPart& part : bake::parseObj(bytes.first(std::min(split, bytes.size())), "fuzz.obj", source))
-      checkMesh(part.mesh);
+    checkSurface(bake::parseObj(bytes.first(std::min(split, bytes.size())), "fuzz.obj", source, notes),
+                 bake::NormalRule::kCreases);
   } catch (const Error&) {
   }
 }

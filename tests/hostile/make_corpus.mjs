@@ -882,7 +882,7 @@ group('input', 4, asIs, [
   ['png-as-ply', 'a PNG is named .ply', { 'model.ply': PNG }, 5],
   ['png-as-obj', 'a PNG is named .obj', { 'model.obj': PNG }, 5],
   ['glb-as-ply', 'a GLB is named .ply', { 'model.ply': GOOD }, 5],
-  ['extension-stl', 'the file is named .stl', { 'model.stl': text('solid\nendsolid\n') }, 6],
+  ['extension-stl', 'an STL file has no facets', { 'model.stl': text('solid\nendsolid\n') }, 6],
   ['extension-none', 'the file name has no extension', { model: GOOD }, 6],
 ]);
 

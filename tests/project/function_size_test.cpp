@@ -39,7 +39,7 @@ struct Exception {
 constexpr Exception kExceptions[] = {
     {"src/gl/debug_log.h", "receive", 0, 7, "declared as GLDEBUGPROC"},
     {"src/gl/debug_log.cpp", "receive", 0, 7, "declared as GLDEBUGPROC"},
-    {"src/asset/gltf_file.cpp", "keepEncoded", 0, 9, "declared as tinygltf::LoadImageDataFunction"},
+    {"src/asset/gltf_model.cpp", "keepEncoded", 0, 9, "declared as tinygltf::LoadImageDataFunction"},
 };
 
 /// Parameters in a signature such as "(int a,std::map<int,int> b)".

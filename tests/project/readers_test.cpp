@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "asset/accessor.h"
+#include "asset/gltf_file.h"
 #include "support/node.h"
 #include "support/run_program.h"
 #include "support/scenes.h"
@@ -83,6 +85,58 @@ TEST_F(Readers, BabylonBuildsEveryLevel) {
       EXPECT_FLOAT_EQ(read["chains"][0]["levels"][k]["screenCoverage"].get<float>(),
                       levels[k]["screen_coverage"].get<float>());
     }
+  }
+}
+
+/// Two boxes of many squares at x = 1, the second a child of the first and above it.
+std::string bodyWithHead() {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  const asset::Primitive ball = test::sphere(24, 12);
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, ball.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, ball.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, ball.indices);
+  model.meshes.resize(1);
+  model.meshes[0].primitives = {primitive};
+  model.nodes.resize(2);
+  model.nodes[0].mesh = 0;
+  model.nodes[0].translation = {1, 0, 0};
+  model.nodes[0].children = {1};
+  model.nodes[1].mesh = 0;
+  model.nodes[1].translation = {0, 3, 0};
+  model.scenes.resize(1);
+  model.scenes[0].nodes = {0};
+  model.defaultScene = 0;
+  const std::vector<std::byte> bytes = asset::encodeGlb(model);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST_F(Readers, ChildrenStayAtEveryLevel) {
+  const std::string babylon = package("babylon");
+  const std::string three = package("three");
+  if (babylon.empty() || three.empty()) GTEST_SKIP() << "assets/fetch babylon three gets them from the npm registry";
+  std::ofstream(file("body.glb"), std::ios::binary) << bodyWithHead();
+  for (const std::vector<std::string>& options : kEncodings) {
+    const json report = bake(file("body.glb"), file("out.glb"), options);
+    const json read = run("babylon_check.cjs", babylon, file("out.glb"));
+    EXPECT_EQ(read["errors"], json::array());
+    ASSERT_EQ(read["chains"].size(), 2U);
+    for (const json& chain : read["chains"]) {
+      ASSERT_EQ(chain["levels"].size(), report["meshes"][0]["levels"].size());
+      const double low = chain["levels"][0]["boundingBox"][0][1];
+      for (const json& level : chain["levels"]) {
+        const double middle =
+            0.5 * (level["boundingBox"][0][0].get<double>() + level["boundingBox"][1][0].get<double>());
+        EXPECT_NEAR(middle, 1.0, 0.6);  // in the place of its parent
+        EXPECT_NEAR(level["boundingBox"][0][1].get<double>(), low, 0.6);
+      }
+    }
+    const json shown = run("three_check.mjs", three, file("out.glb"));
+    EXPECT_EQ(shown["triangles"], 2 * report["meshes"][0]["levels"][0]["triangles"].get<int>());
+    EXPECT_NEAR(shown["boundingBox"][1][1].get<double>(), 4.0, 0.01);
+    EXPECT_NEAR(shown["boundingBox"][0][0].get<double>(), 0.0, 0.01);
   }
 }
 

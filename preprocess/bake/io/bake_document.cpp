@@ -12,6 +12,7 @@
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
+#include "bake/io/attribute_range.h"
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
@@ -45,6 +46,11 @@ std::string reasonToPass(const tinygltf::Model& model, const tinygltf::Mesh& mes
   return unbakeableReason(mesh);
 }
 
+/// Extensions that go with a node's mesh.
+bool belongsToMesh(const std::string& extension) {
+  return extension == kInstancing || extension == "EXT_instance_features";
+}
+
 /// Appends the node of one level: same transform, same instances, no children.
 int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int mesh, std::size_t lod) {
   tinygltf::Node node;
@@ -54,8 +60,8 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
   node.rotation = source.rotation;
   node.scale = source.scale;
   node.matrix = source.matrix;
-  if (const auto found = source.extensions.find(kInstancing); found != source.extensions.end())
-    node.extensions[kInstancing] = found->second;
+  for (const auto& extension : source.extensions)
+    if (belongsToMesh(extension.first)) node.extensions.insert(extension);
   model.nodes.push_back(std::move(node));
   return static_cast<int>(model.nodes.size()) - 1;
 }
@@ -92,16 +98,47 @@ struct Before {
   ChannelIndex channels;
 };
 
+/// Readers replace the whole node when a level is shown. What else a node holds would vanish with its mesh: children,
+/// cameras, lights and whatever extensions make of it. Extras that are no object have no place for the coverage.
+bool holdsMoreThanItsMesh(const tinygltf::Node& node) {
+  return !node.children.empty() || node.camera >= 0 ||
+         (node.extras.Type() != tinygltf::NULL_TYPE && !node.extras.IsObject()) ||
+         std::any_of(node.extensions.begin(), node.extensions.end(),
+                     [](const auto& extension) { return !belongsToMesh(extension.first); });
+}
+
+/// Moves the mesh of a node, and its instances, into a new child. @return  the child
+int moveMeshIntoChild(tinygltf::Model& model, int parent) {
+  const auto index = static_cast<int>(model.nodes.size());
+  tinygltf::Node& node = model.nodes[static_cast<std::size_t>(parent)];
+  tinygltf::Node child;
+  child.name = node.name;
+  child.mesh = std::exchange(node.mesh, -1);
+  for (auto at = node.extensions.begin(); at != node.extensions.end();) {
+    if (!belongsToMesh(at->first)) {
+      ++at;
+      continue;
+    }
+    child.extensions.insert(*at);
+    at = node.extensions.erase(at);
+  }
+  node.children.push_back(index);
+  model.nodes.push_back(std::move(child));
+  return index;
+}
+
 void linkNodes(tinygltf::Model& model, const Before& before, const std::vector<int>& nodes,
                const std::vector<int>& levelMeshes, const std::vector<float>& coverage) {
   if (levelMeshes.size() < 2) return;
-  for (const int n : nodes) {
+  for (const int user : nodes) {
+    const bool divide = holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
+    const int n = divide ? moveMeshIntoChild(model, user) : user;
     const tinygltf::Node source = model.nodes[static_cast<std::size_t>(n)];
     std::vector<int> lower;
     for (std::size_t k = 1; k < levelMeshes.size(); ++k)
       lower.push_back(appendLevelNode(model, source, levelMeshes[k], k));
     asset::setLodChain(model, n, lower, coverage);
-    animateLevels(model, before.channels, n, lower);
+    if (!divide) animateLevels(model, before.channels, n, lower);
   }
 }
 
@@ -187,7 +224,9 @@ struct BakedMesh {
 
 CombinedMesh combinedLevel(const BakedMesh& baked, std::size_t k) {
   if (k == 0 && baked.finest) return combineWedges(makeWedges(*baked.finest), *baked.finest);
-  return combineWedges(baked.chain.levels[k].mesh, baked.mesh);
+  CombinedMesh level = combineWedges(baked.chain.levels[k].mesh, baked.mesh);
+  if (k > 0) clampToRange(level, baked.mesh);
+  return level;
 }
 
 /// Writes the levels as meshes, LOD 0 in the place of the original. @return  their indices
@@ -450,6 +489,9 @@ MeshReport writeMesh(tinygltf::Model& model, std::size_t index, const Before& be
     requireFinite(model, model.meshes[index], baked.report.passedThrough, finite);
     return std::move(baked.report);
   }
+  tinygltf::Mesh kept = model.meshes[index];
+  std::erase_if(kept.primitives, hasTriangles);
+  requireFinite(model, kept, "it has no triangles", finite);
   linkNodes(model, before, before.users[index], writeLevels(model, index, baked), baked.coverage);
   return std::move(baked.report);
 }

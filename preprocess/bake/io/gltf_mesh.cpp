@@ -6,14 +6,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 
 #include "asset/accessor.h"
+#include "asset/gltf_known.h"
+#include "bake/io/kept_attributes.h"
 #include "core/check.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
+
+bool hasTriangles(const tinygltf::Primitive& primitive) {
+  return primitive.mode == -1 || primitive.mode >= TINYGLTF_MODE_TRIANGLES;
+}
+
 namespace {
 
 constexpr std::size_t kMostAttributes = 16;  ///< streams that meshopt_generateVertexRemapMulti takes
@@ -68,6 +76,24 @@ std::uint32_t countOf(const tinygltf::Model& model, int accessor, std::uint64_t 
   return static_cast<std::uint32_t>(count);
 }
 
+/// The triangles of a list, a strip or a fan, in the order and the winding of glTF 2.0, 3.7.2.1.
+std::vector<std::uint32_t> trianglesOfMode(std::vector<std::uint32_t> indices, int mode) {
+  std::vector<std::uint32_t> triangles;
+  if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+    indices.resize(indices.size() / 3 * 3);
+    return indices;
+  }
+  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+    const std::size_t odd = i % 2;
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+      triangles.insert(triangles.end(), {indices[i], indices[i + 1 + odd], indices[i + 2 - odd]});
+    } else {
+      triangles.insert(triangles.end(), {indices[i + 1], indices[i + 2], indices[0]});
+    }
+  }
+  return triangles;
+}
+
 std::vector<std::uint32_t> readIndicesOf(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                                          std::uint32_t vertexCount, std::uint64_t limit) {
   std::vector<std::uint32_t> indices;
@@ -77,8 +103,7 @@ std::vector<std::uint32_t> readIndicesOf(const tinygltf::Model& model, const tin
     indices.resize(vertexCount);
     std::iota(indices.begin(), indices.end(), 0U);
   }
-  indices.resize(indices.size() / 3 * 3);
-  return indices;
+  return trianglesOfMode(std::move(indices), primitive.mode);
 }
 
 /// @param vertices  see readAttributeOf
@@ -87,10 +112,15 @@ void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& pri
   const int positions = primitive.attributes.at("POSITION");
   data.attributes.push_back(readAttributeOf(model, "POSITION", positions, vertices, limit));
   data.vertexCount = static_cast<std::uint32_t>(data.attributes[0].values.size() / 3);
+  const std::vector<KeptAttribute> kept = keptAttributes(model, primitive);
   for (const auto& [name, accessor] : primitive.attributes) {
     if (name == "POSITION") continue;
+    const std::string& key = name;
+    const bool isKept =
+        std::any_of(kept.begin(), kept.end(), [&](const KeptAttribute& attribute) { return attribute.name == key; });
     if (countOf(model, accessor, limit) != countOf(model, positions, limit))
       throw Error(ErrorCode::kMalformed, "attributes of one primitive have different counts");
+    if (isKept) continue;
     data.attributes.push_back(readAttributeOf(model, name, accessor, vertices, limit));
     const Attribute& attribute = data.attributes.back();
     if (attribute.values.size() != std::size_t{data.vertexCount} * attribute.components)
@@ -103,15 +133,19 @@ void readAttributes(const tinygltf::Model& model, const tinygltf::Primitive& pri
   }
 }
 
-/// Shares bit-identical vertices: rewrites indices and compacts the attributes.
+/// Shares bit-identical vertices: rewrites indices and compacts the attributes. @param kept  further bytes that count
+/// @return  per vertex its new index, ~0 if it is not used
 /// @pre indices in threes, below vertexCount, at least three; at most kMostAttributes attributes, of at most 4 floats
-void shareVertices(PrimitiveData& data, std::vector<std::uint32_t>& indices) {
-  JAL_CHECK((data.attributes.size() <= kMostAttributes && indices.size() % 3 == 0 && !indices.empty()));
+std::vector<std::uint32_t> shareVertices(PrimitiveData& data, std::vector<std::uint32_t>& indices,
+                                         const std::vector<PackedElements>& kept) {
+  JAL_CHECK((data.attributes.size() + kept.size() <= kMostAttributes && indices.size() % 3 == 0 && !indices.empty()));
   std::vector<meshopt_Stream> streams;
   for (const Attribute& attribute : data.attributes) {
     const std::size_t bytes = attribute.components * sizeof(float);
     streams.push_back({attribute.values.data(), bytes, bytes});
   }
+  for (const PackedElements& packed : kept)
+    streams.push_back({packed.bytes.data(), packed.elementBytes, packed.elementBytes});
   std::vector<std::uint32_t> remap(data.vertexCount);
   const std::size_t unique = meshopt_generateVertexRemapMulti(remap.data(), indices.data(), indices.size(),
                                                               data.vertexCount, streams.data(), streams.size());
@@ -123,6 +157,67 @@ void shareVertices(PrimitiveData& data, std::vector<std::uint32_t>& indices) {
   }
   meshopt_remapIndexBuffer(indices.data(), indices.data(), indices.size(), remap.data());
   data.vertexCount = static_cast<std::uint32_t>(unique);
+  return remap;
+}
+
+/// Per vertex the number of its values of the kept attributes, by their first appearance.
+std::vector<std::uint32_t> numberValues(const std::vector<PackedElements>& kept, std::size_t vertices) {
+  std::map<std::string, std::uint32_t> numbers;
+  std::vector<std::uint32_t> keys(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::string value;
+    for (const PackedElements& packed : kept)
+      value.append(reinterpret_cast<const char*>(&packed.bytes[v * packed.elementBytes]), packed.elementBytes);
+    keys[v] = numbers.try_emplace(std::move(value), static_cast<std::uint32_t>(numbers.size())).first->second;
+  }
+  return keys;
+}
+
+/// Reads one primitive; those with kept attributes are divided by their values.
+std::vector<Region> readRegions(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                std::uint64_t limit) {
+  Region whole;
+  const std::uint32_t vertexCount = countOf(model, primitive.attributes.at("POSITION"), limit);
+  whole.indices = readIndicesOf(model, primitive, vertexCount, limit);
+  const std::vector<std::uint32_t> vertices = usedVertices(whole.indices, vertexCount);
+  readAttributes(model, primitive, vertices, limit, whole.data);
+  std::vector<PackedElements> kept;
+  for (const KeptAttribute& attribute : keptAttributes(model, primitive))
+    kept.push_back(packedElements(model, attribute.accessor, vertices, limit));
+  std::vector<std::uint32_t> remap(whole.data.vertexCount);
+  std::iota(remap.begin(), remap.end(), 0U);
+  if (!whole.indices.empty()) remap = shareVertices(whole.data, whole.indices, kept);
+  std::vector<Region> regions;
+  if (kept.empty()) {
+    regions.push_back(std::move(whole));
+    return regions;
+  }
+  const std::vector<std::uint32_t> values = numberValues(kept, remap.size());
+  std::vector<std::uint32_t> keys(whole.data.vertexCount);
+  whole.sourceVertex.resize(whole.data.vertexCount);
+  for (std::uint32_t v = static_cast<std::uint32_t>(remap.size()); v-- > 0;) {
+    if (remap[v] == ~0U) continue;
+    keys[remap[v]] = values[v];
+    whole.sourceVertex[remap[v]] = vertices.empty() ? v : vertices[v];
+  }
+  return divideByValue(std::move(whole), keys);
+}
+
+void appendRegion(Region region, CombinedMesh& combined) {
+  PrimitiveData& data = region.data;
+  data.firstVertex = static_cast<std::uint32_t>(combined.positions.size());
+  const std::vector<float>& xyz = data.attributes[0].values;
+  for (std::uint32_t v = 0; v < data.vertexCount; ++v)
+    combined.positions.emplace_back(xyz[3 * std::size_t{v}], xyz[3 * std::size_t{v} + 1], xyz[3 * std::size_t{v} + 2]);
+  combined.primitiveOf.resize(combined.positions.size(), static_cast<std::uint32_t>(combined.primitives.size()));
+  for (const std::uint32_t index : region.indices)
+    combined.indices.push_back(data.firstVertex + index);
+  if (!region.sourceVertex.empty() || !combined.sourceVertex.empty()) {
+    combined.sourceVertex.resize(data.firstVertex, 0);
+    combined.sourceVertex.insert(combined.sourceVertex.end(), region.sourceVertex.begin(), region.sourceVertex.end());
+    combined.sourceVertex.resize(combined.positions.size(), 0);
+  }
+  combined.primitives.push_back(std::move(data));
 }
 
 int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const std::vector<std::uint32_t>& vertices) {
@@ -144,27 +239,54 @@ int appendAttribute(tinygltf::Model& model, const Attribute& attribute, const st
   return asset::appendScalars(model, scalars, kTarget);
 }
 
-/// Triangles of one primitive, cell by cell.
+/// The regions first to end of a mesh, which come from one glTF primitive.
+struct PrimitiveRange {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// Triangles of one glTF primitive, cell by cell.
 struct LocalTriangles {
   std::vector<std::uint32_t> indices;    ///< of the primitive's vertices
   std::vector<std::uint32_t> cellSizes;  ///< triangles of each cell
 };
 
-LocalTriangles trianglesOf(const CombinedMesh& combined, std::size_t primitive, const asset::CellOrder& order) {
+LocalTriangles trianglesOf(const CombinedMesh& combined, const PrimitiveRange& range, const asset::CellOrder& order) {
   LocalTriangles local;
   std::size_t at = 0;
   for (const std::uint32_t end : order.ends) {
     const std::size_t before = local.indices.size();
     for (; at < end; ++at) {
       const std::size_t first = 3 * std::size_t{order.triangles[at]};
-      if (combined.primitiveOf[combined.indices[first]] != primitive) continue;
+      const std::uint32_t region = combined.primitiveOf[combined.indices[first]];
+      if (region < range.first || region >= range.end) continue;
       for (std::size_t k = 0; k < 3; ++k)
-        local.indices.push_back(combined.indices[first + k] - combined.primitives[primitive].firstVertex);
+        local.indices.push_back(combined.indices[first + k] - combined.primitives[range.first].firstVertex);
     }
     local.cellSizes.push_back(static_cast<std::uint32_t>((local.indices.size() - before) / 3));
   }
   return local;
 }
+
+/// The regions of a glTF primitive, as one.
+PrimitiveData joinRegions(const CombinedMesh& combined, const PrimitiveRange& range) {
+  PrimitiveData joined = combined.primitives[range.first];
+  for (std::size_t p = range.first + 1; p < range.end; ++p) {
+    const PrimitiveData& region = combined.primitives[p];
+    joined.vertexCount += region.vertexCount;
+    for (std::size_t a = 0; a < joined.attributes.size(); ++a)
+      joined.attributes[a].values.insert(joined.attributes[a].values.end(), region.attributes[a].values.begin(),
+                                         region.attributes[a].values.end());
+  }
+  return joined;
+}
+
+/// A level that is written to a mesh.
+struct LevelMesh {
+  const CombinedMesh& combined;
+  const asset::CellOrder& order;
+  tinygltf::Mesh& mesh;
+};
 
 /// Numbers vertices by their first use, in place. @param newIndex  per vertex ~0; it is restored
 /// @return  the vertices in their new order
@@ -204,60 +326,78 @@ std::vector<std::uint32_t> optimiseOrder(LocalTriangles& local, std::uint32_t ve
 }  // namespace
 
 std::string unbakeableReason(const tinygltf::Mesh& mesh) {
+  if (mesh.primitives.empty()) return "it has no primitives";
+  if (std::none_of(mesh.primitives.begin(), mesh.primitives.end(), hasTriangles)) return "it has points or lines only";
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return "it has points, lines or strips";
     if (!primitive.targets.empty()) return "it has morph targets";
+    if (!hasTriangles(primitive)) continue;
     if (!primitive.attributes.contains("POSITION")) return "it has a primitive without positions";
     if (primitive.attributes.contains("JOINTS_0")) return "it is skinned";
     if (primitive.attributes.size() > kMostAttributes)
       return fmt::format("it has a primitive with {} attributes", primitive.attributes.size());
+    for (const auto& [name, extension] : primitive.extensions)
+      if (asset::mayReferToVertices(name, extension)) return fmt::format("{} may refer to its vertices", oneLine(name));
   }
-  return mesh.primitives.empty() ? "it has no primitives" : "";
+  return "";
 }
 
 CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits) {
   CombinedMesh combined;
-  for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    PrimitiveData data;
-    const std::uint64_t limit = limits.maxAccessorElements;
-    const std::uint32_t vertexCount = countOf(model, primitive.attributes.at("POSITION"), limit);
-    std::vector<std::uint32_t> indices = readIndicesOf(model, primitive, vertexCount, limit);
-    readAttributes(model, primitive, usedVertices(indices, vertexCount), limit, data);
-    if (!indices.empty()) shareVertices(data, indices);
-    data.firstVertex = static_cast<std::uint32_t>(combined.positions.size());
-    const std::vector<float>& xyz = data.attributes[0].values;
-    for (std::uint32_t v = 0; v < data.vertexCount; ++v)
-      combined.positions.emplace_back(xyz[3 * std::size_t{v}], xyz[3 * std::size_t{v} + 1],
-                                      xyz[3 * std::size_t{v} + 2]);
-    combined.primitiveOf.resize(combined.positions.size(), static_cast<std::uint32_t>(combined.primitives.size()));
-    for (const std::uint32_t index : indices)
-      combined.indices.push_back(data.firstVertex + index);
-    combined.primitives.push_back(std::move(data));
+  for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+    if (!hasTriangles(mesh.primitives[p])) continue;
+    for (Region& region : readRegions(model, mesh.primitives[p], limits.maxAccessorElements)) {
+      region.data.source = static_cast<std::uint32_t>(p);
+      appendRegion(std::move(region), combined);
+    }
   }
   return combined;
 }
+
+namespace {
+
+/// Appends one primitive with the triangles of some regions; none if they have no triangle.
+void appendPrimitive(tinygltf::Model& model, const tinygltf::Primitive& source, const PrimitiveRange& range,
+                     const LevelMesh& level, WrittenMesh& written) {
+  LocalTriangles local = trianglesOf(level.combined, range, level.order);
+  if (local.indices.empty()) return;
+  const PrimitiveData data = joinRegions(level.combined, range);
+  const std::vector<std::uint32_t> vertices = optimiseOrder(local, data.vertexCount);
+  tinygltf::Primitive primitive = source;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes.clear();
+  for (const Attribute& attribute : data.attributes)
+    primitive.attributes[attribute.name] = appendAttribute(model, attribute, vertices);
+  std::vector<std::uint32_t> elements;
+  for (const KeptAttribute& attribute : keptAttributes(model, source)) {
+    for (std::size_t v = elements.size(); v < vertices.size(); ++v)
+      elements.push_back(level.combined.sourceVertex.at(data.firstVertex + vertices[v]));
+    primitive.attributes[attribute.name] = appendElements(model, attribute.accessor, elements);
+  }
+  primitive.indices = asset::appendIndices(model, local.indices);
+  level.mesh.primitives.push_back(std::move(primitive));
+  written.vertices += static_cast<std::uint32_t>(vertices.size());
+  written.cells.push_back(std::move(local.cellSizes));
+}
+
+}  // namespace
 
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
                             const asset::CellOrder& order) {
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;
-  for (std::size_t p = 0; p < combined.primitives.size(); ++p) {
-    const PrimitiveData& data = combined.primitives[p];
-    LocalTriangles local = trianglesOf(combined, p, order);
-    if (local.indices.empty()) continue;
-    const std::vector<std::uint32_t> vertices = optimiseOrder(local, data.vertexCount);
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = source.primitives[p].material;
-    primitive.extensions = source.primitives[p].extensions;
-    primitive.extras = source.primitives[p].extras;
-    for (const Attribute& attribute : data.attributes)
-      primitive.attributes[attribute.name] = appendAttribute(model, attribute, vertices);
-    primitive.indices = asset::appendIndices(model, local.indices);
-    mesh.primitives.push_back(std::move(primitive));
-    written.vertices += static_cast<std::uint32_t>(vertices.size());
-    written.cells.push_back(std::move(local.cellSizes));
+  std::size_t at = 0;
+  for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+    if (!hasTriangles(source.primitives[p])) {
+      mesh.primitives.push_back(source.primitives[p]);
+      written.cells.emplace_back(order.ends.size(), 0U);
+      continue;
+    }
+    PrimitiveRange range{at, at};
+    while (range.end < combined.primitives.size() && combined.primitives[range.end].source == p)
+      ++range.end;
+    at = range.end;
+    if (range.end > range.first) appendPrimitive(model, source.primitives[p], range, {combined, order, mesh}, written);
   }
   written.mesh = static_cast<int>(model.meshes.size());
   model.meshes.push_back(std::move(mesh));

@@ -13,11 +13,16 @@
 
 namespace jalousie::bake {
 
-/// The reason why a mesh is passed through unchanged: a mode other than triangles, morph targets, no positions,
-/// joints, or more than 16 attributes. Empty if the mesh can be baked.
+/// Whether it is a list, a strip or a fan of triangles.
+bool hasTriangles(const tinygltf::Primitive& primitive);
+
+/// The reason why a mesh is passed through unchanged: no triangles, morph targets, no positions, joints, more than 16
+/// attributes, or an extension that may refer to its vertices. Empty if the mesh can be baked.
 std::string unbakeableReason(const tinygltf::Mesh& mesh);
 
-/// Reads all primitives of a mesh. Bit-identical vertices are shared; positions may be NaN or infinite (see cleanMesh).
+/// Reads the primitives of a mesh that have triangles: lists, strips and fans. Those with feature IDs or other
+/// attributes that must not be averaged (keptAttributes) become one primitive for each value. Bit-identical vertices
+/// are shared; positions may be NaN or infinite (see cleanMesh).
 /// Errors: kMalformed, kLimit.
 CombinedMesh readCombinedMesh(const tinygltf::Model& model, const tinygltf::Mesh& mesh, const asset::Limits& limits);
 
@@ -28,8 +33,9 @@ struct WrittenMesh {
   asset::CellTriangles cells;  ///< a list for each written primitive
 };
 
-/// Appends a mesh with the primitives of `source` and the triangles of `combined`: cell by cell, within a cell in the
-/// order of the vertex cache, vertices in the order of their first use. Primitives without triangles are left out.
+/// Appends a mesh with the primitives of `source` and the triangles of `combined`: points and lines as they are,
+/// triangles cell by cell, within a cell in the order of the vertex cache, vertices in the order of their first use.
+/// Primitives without triangles are left out.
 /// @param order  of the triangles of `combined`
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
                             const asset::CellOrder& order);

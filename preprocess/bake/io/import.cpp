@@ -1,20 +1,26 @@
-// Chooses the reader by the file's extension and builds glTF meshes from triangle lists.
+// Chooses the reader by the file's extension.
 #include "bake/io/import.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "asset/accessor.h"
 #include "asset/gltf_images.h"
 #include "bake/io/obj_reader.h"
 #include "bake/io/ply_reader.h"
-#include "bake/mesh/normals.h"
-#include "bake/mesh/triangle_mesh.h"
+#include "bake/io/stl_reader.h"
+#include "bake/io/surface_document.h"
+#include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
 
 namespace jalousie::bake {
 namespace {
+
+/// What a reader of files needs beside the bytes.
+struct Surroundings {
+  const asset::Limits& limits;
+  const asset::ReadObserver& observer;
+  Notes& notes;
+};
 
 std::string lowerExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -22,47 +28,6 @@ std::string lowerExtension(const std::filesystem::path& file) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
   });
   return extension;
-}
-
-tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int material) {
-  constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
-  if (mesh.normals.empty()) mesh.normals = smoothNormals(mesh.positions, mesh.indices);
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = material;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, mesh.positions, kTarget);
-  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, kTarget);
-  if (!mesh.uvs.empty()) primitive.attributes["TEXCOORD_0"] = asset::appendVec2(model, mesh.uvs, kTarget);
-  if (!mesh.colors.empty()) primitive.attributes["COLOR_0"] = asset::appendVec4(model, mesh.colors, kTarget);
-  primitive.indices = asset::appendIndices(model, mesh.indices);
-  return primitive;
-}
-
-/// JSON is UTF-8: invalid bytes in the names of files and materials become U+FFFD.
-std::string utf8(const std::string& text) {
-  using nlohmann::json;
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
-}
-
-int appendMaterial(tinygltf::Model& model, const ObjPart& part) {
-  if (part.material.empty()) return -1;
-  tinygltf::Material material;
-  material.name = utf8(part.material);
-  material.pbrMetallicRoughness.baseColorFactor = {part.baseColor.r, part.baseColor.g, part.baseColor.b,
-                                                   part.baseColor.a};
-  material.pbrMetallicRoughness.metallicFactor = 0.0;
-  if (part.baseColor.a < 1.0F) material.alphaMode = "BLEND";
-  model.materials.push_back(std::move(material));
-  return static_cast<int>(model.materials.size()) - 1;
-}
-
-void appendNode(tinygltf::Model& model, tinygltf::Mesh mesh) {
-  tinygltf::Node node;
-  node.name = mesh.name;
-  node.mesh = static_cast<int>(model.meshes.size());
-  model.meshes.push_back(std::move(mesh));
-  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
-  model.nodes.push_back(std::move(node));
 }
 
 tinygltf::Model emptyDocument() {
@@ -73,29 +38,59 @@ tinygltf::Model emptyDocument() {
   return model;
 }
 
-/// Adds a PLY or OBJ file as one node.
-void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const std::filesystem::path& file,
-                const asset::ReadObserver& observer) {
-  const std::string extension = lowerExtension(file);
-  tinygltf::Mesh mesh;
-  mesh.name = utf8(file.stem().string());
-  if (extension == ".ply") {
-    mesh.primitives.push_back(makePrimitive(model, readPly(bytes, file), -1));
-  } else if (extension == ".obj") {
-    for (ObjPart& part : readObj(bytes, file, observer)) {
-      const int material = appendMaterial(model, part);
-      mesh.primitives.push_back(makePrimitive(model, std::move(part.mesh), material));
+constexpr const char* kKinds = "only .ply, .obj, .stl, .gltf and .glb files are read";
+
+/// Files beside an input, which the input names.
+class Beside {
+ public:
+  Beside(const std::filesystem::path& file, std::uint64_t maxBytes, const asset::ReadObserver& observer)
+      : file_(file), maxBytes_(maxBytes), observer_(observer) {}
+
+  std::optional<std::vector<std::byte>> read(const std::string& name) {
+    std::optional<std::vector<std::byte>> content;
+    try {
+      if (!folder_) folder_.emplace(folderOf(file_));
+      content = folder_->readFile(name, maxBytes_);
+    } catch (const Error&) {
+      content.reset();  // reported as absent: the result changes once the file can be read
     }
-  } else {
-    throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
+    if (observer_) observer_(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
+    return content;
   }
-  appendNode(model, std::move(mesh));
+
+ private:
+  const std::filesystem::path& file_;
+  std::uint64_t maxBytes_;
+  const asset::ReadObserver& observer_;
+  std::optional<ConfinedFolder> folder_;
+};
+
+/// Adds a PLY, OBJ or STL file, a node for each of its objects.
+void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const std::filesystem::path& file,
+                const Surroundings& around) {
+  const std::string extension = lowerExtension(file);
+  Notes& notes = around.notes;
+  PolygonMesh mesh;
+  if (extension == ".ply") {
+    mesh = readPly(bytes, file, notes);
+  } else if (extension == ".obj") {
+    mesh = readObj(bytes, file, notes, around.observer);
+  } else if (extension == ".stl") {
+    mesh = readStl(bytes, file);
+  } else {
+    throw Error(ErrorCode::kUnsupported, kKinds, file);
+  }
+  // PLY files are mostly scans, whose noise would be full of creases.
+  const NormalRule rule = extension == ".ply" ? NormalRule::kNone : NormalRule::kCreases;
+  Beside beside(file, around.limits.maxFileBytes, around.observer);
+  const auto pictures = [&](const std::string& name) { return beside.read(name); };
+  appendSurface(model, mesh, {file.stem().string(), rule, pictures}, notes);
 }
 
 /// The baker passes pictures on, so they must be whole.
 tinygltf::Model parseWholeGltf(std::span<const std::byte> bytes, const std::filesystem::path& file,
                                const asset::Limits& limits, const asset::ReadObserver& observer) {
-  tinygltf::Model model = asset::parseGltf(bytes, file, limits, observer);
+  tinygltf::Model model = asset::parseGltf(bytes, file, limits, observer, asset::Retain::kDocument);
   asset::checkImages(model, file, limits);
   return model;
 }
@@ -109,26 +104,26 @@ bool isGltf(const std::filesystem::path& file) {
 
 bool isImportable(const std::filesystem::path& file) {
   const std::string extension = lowerExtension(file);
-  return extension == ".ply" || extension == ".obj" || isGltf(file);
+  return extension == ".ply" || extension == ".obj" || extension == ".stl" || isGltf(file);
 }
 
 tinygltf::Model importBytes(std::span<const std::byte> bytes, const std::filesystem::path& file,
                             const asset::Limits& limits, const asset::ReadObserver& observer) {
   if (isGltf(file)) return parseWholeGltf(bytes, file, limits, observer);
   tinygltf::Model model = emptyDocument();
-  appendFile(model, bytes, file, observer);
+  Notes notes;
+  appendFile(model, bytes, file, {limits, observer, notes});
   return model;
 }
 
-tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits,
+tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits, Notes& notes,
                             const ImportObserver& observer) {
   tinygltf::Model model = emptyDocument();
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::filesystem::path& file = files[i];
     if (files.size() > 1 && isGltf(file))
       throw Error(ErrorCode::kUsage, "a glTF file is baked alone, not with other inputs", file);
-    if (!isImportable(file))
-      throw Error(ErrorCode::kUnsupported, "only .ply, .obj, .gltf and .glb files are read", file);
+    if (!isImportable(file)) throw Error(ErrorCode::kUnsupported, kKinds, file);
     const asset::ReadObserver observeInput = [&](const std::string& name,
                                                  std::optional<std::span<const std::byte>> bytes) {
       if (observer) observer(i, name, bytes);
@@ -136,7 +131,7 @@ tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, con
     const std::vector<std::byte> bytes = readFile(file, limits.maxFileBytes);
     observeInput({}, bytes);
     if (isGltf(file)) return parseWholeGltf(bytes, file, limits, observeInput);
-    appendFile(model, bytes, file, observeInput);
+    appendFile(model, bytes, file, {limits, observeInput, notes});
   }
   return model;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "bake/io/notes.h"
 
 namespace jalousie::bake {
 
@@ -21,10 +22,11 @@ namespace jalousie::bake {
 using ImportObserver =
     std::function<void(std::size_t input, const std::string& name, std::optional<std::span<const std::byte>> bytes)>;
 
-/// Reads .ply, .obj, .gltf or .glb by the file's extension. A single glTF input is returned unchanged; PLY and OBJ
-/// files become one mesh and node each, in the order given, with smooth normals where the file has none. Errors: kUsage
+/// Reads .ply, .obj, .stl, .gltf or .glb by the file's extension. A single glTF input is returned unchanged; of other
+/// files each object becomes a mesh and a node, in the order given. Where normals are missing, PLY files get smooth
+/// ones, OBJ and STL files smooth ones up to creases. @param notes  gets what is left out or missing. Errors: kUsage
 /// (several inputs of which one is glTF), kUnsupported (another extension), and those of the readers.
-tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits,
+tinygltf::Model importFiles(const std::vector<std::filesystem::path>& files, const asset::Limits& limits, Notes& notes,
                             const ImportObserver& observer = {});
 /// As importFiles for a single file whose bytes are in memory already; other files are sought beside `file`.
 tinygltf::Model importBytes(std::span<const std::byte> bytes, const std::filesystem::path& file,

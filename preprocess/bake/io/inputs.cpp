@@ -84,7 +84,7 @@ class Finder {
     }
     if (found.empty())
       throw Error(ErrorCode::kFileNotFound,
-                  pattern.empty() ? "no .ply, .obj, .gltf or .glb file in this folder" : "no file matches",
+                  pattern.empty() ? "no .ply, .obj, .stl, .gltf or .glb file in this folder" : "no file matches",
                   pattern.empty() ? folder : folder / pattern);
     std::sort(found.begin(), found.end());
     for (const fs::path& relative : found)

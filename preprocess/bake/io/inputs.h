@@ -13,8 +13,8 @@ struct InputFile {
   std::filesystem::path relative;
 };
 
-/// Files stay; folders give all .ply, .obj, .gltf and .glb files below them; patterns with *, ?, [...] and ** (any
-/// number of folders) the files they match. Sorted by path within each argument, duplicates removed. Hidden files,
+/// Files stay; folders give all .ply, .obj, .stl, .gltf and .glb files below them; patterns with *, ?, [...] and **
+/// (any number of folders) the files they match. Sorted by path within each argument, duplicates removed. Hidden files,
 /// links and everything in the folders `except` are skipped.
 /// Errors: kFileNotFound (a pattern or folder with no files), kFileUnreadable.
 std::vector<InputFile> findInputs(const std::vector<std::string>& arguments,

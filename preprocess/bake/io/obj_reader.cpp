@@ -1,17 +1,16 @@
-// Parses with tinyobjloader, confines the MTL lookup and builds one mesh per material.
+// Looks up the materials that the statements name; MTL files are parsed by tinyobjloader.
 #include "bake/io/obj_reader.h"
 
 #include <tiny_obj_loader.h>
 
-#include <cmath>
-#include <istream>
+#include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
-#include <streambuf>
 #include <string_view>
-#include <tuple>
 
-#include "bake/io/obj_filter.h"
+#include "bake/io/color_space.h"
+#include "bake/io/obj_statements.h"
 #include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -22,138 +21,99 @@ namespace {
 constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;  ///< of all material files together
 constexpr std::size_t kMaxMaterials = 10'000;              ///< the library spends two kilobytes on each
 
-/// Passes the material files of a source to tinyobjloader.
-class SourcedMaterials : public tinyobj::MaterialReader {
+/// The materials of MTL files by name; the first definition counts.
+class MaterialLibrary {
  public:
-  explicit SourcedMaterials(const MaterialSource& source) : source_(source) {}
-
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                  std::map<std::string, int>* indices, std::string* warning, std::string* error) override {
-    const std::optional<std::vector<std::byte>> bytes = source_(name);
-    if (!bytes) return false;
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    bytes_ += bytes->size();
-    std::size_t count = materials->size();
-    for (std::size_t at = text.find("newmtl"); at != std::string_view::npos; at = text.find("newmtl", at + 6))
+  void read(std::span<const std::byte> bytes) {
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    bytes_ += bytes.size();
+    std::size_t count = materials_.size();
+    for (std::size_t at = text.find("newmtl"); at != std::string::npos; at = text.find("newmtl", at + 6))
       ++count;
     if (count > kMaxMaterials || bytes_ > kMaxMaterialBytes)
       throw Error(ErrorCode::kLimit, "the material files are too large");
-    std::istringstream stream(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
-    tinyobj::LoadMtl(indices, materials, &stream, warning, error);
-    return true;
+    std::istringstream stream(text);
+    std::string warning;
+    std::string error;
+    tinyobj::LoadMtl(&indices_, &materials_, &stream, &warning, &error);
+    for (std::size_t i = known_; i < materials_.size(); ++i)
+      byName_.try_emplace(materials_[i].name, i);
+    known_ = materials_.size();
+  }
+
+  const tinyobj::material_t* find(const std::string& name) const {
+    const auto found = byName_.find(name);
+    return found == byName_.end() ? nullptr : &materials_[found->second];
   }
 
  private:
-  const MaterialSource& source_;
+  std::map<std::string, int> indices_;
+  std::vector<tinyobj::material_t> materials_;
+  std::map<std::string, std::size_t> byName_;
+  std::size_t known_ = 0;
   std::uint64_t bytes_ = 0;
 };
 
-float linearFromSrgb(float value) {
-  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+glm::vec3 linearColor(const tinyobj::real_t (&color)[3]) {
+  const auto channel = [&](int k) { return linearFromSrgb(std::clamp(color[k], 0.0F, 1.0F)); };
+  return {channel(0), channel(1), channel(2)};
 }
 
-/// Collects the triangles of one material and shares equal corners.
-class PartBuilder {
- public:
-  PartBuilder(const tinyobj::attrib_t& attributes, const std::filesystem::path& file)
-      : attributes_(attributes), file_(file) {}
-
-  void addCorner(const tinyobj::index_t& corner) {
-    const auto key = std::tuple(corner.vertex_index, corner.normal_index, corner.texcoord_index);
-    const auto [place, isNew] = vertices_.try_emplace(key, static_cast<std::uint32_t>(vertices_.size()));
-    if (isNew) addVertex(corner);
-    mesh_.indices.push_back(place->second);
-  }
-
-  TriangleMesh finish() {
-    if (!hasNormals_) mesh_.normals.clear();
-    if (!hasUvs_) mesh_.uvs.clear();
-    return std::move(mesh_);
-  }
-
- private:
-  void addVertex(const tinyobj::index_t& corner) {
-    mesh_.positions.push_back(vec3At(attributes_.vertices, corner.vertex_index));
-    hasNormals_ &= corner.normal_index >= 0;
-    hasUvs_ &= corner.texcoord_index >= 0;
-    glm::vec3 normal(0.0F, 1.0F, 0.0F);
-    if (corner.normal_index >= 0) normal = vec3At(attributes_.normals, corner.normal_index);
-    hasNormals_ &= glm::dot(normal, normal) > 1e-8F;
-    mesh_.normals.push_back(glm::dot(normal, normal) > 1e-8F ? glm::normalize(normal) : glm::vec3(0.0F, 1.0F, 0.0F));
-    glm::vec2 uv(0.0F);
-    if (corner.texcoord_index >= 0) {
-      const std::size_t at = checked(corner.texcoord_index, attributes_.texcoords.size(), 2);
-      uv = {attributes_.texcoords[at], 1.0F - attributes_.texcoords[at + 1]};
-    }
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) fail("a texture coordinate is NaN or infinite");
-    mesh_.uvs.push_back(uv);
-  }
-
-  glm::vec3 vec3At(const std::vector<tinyobj::real_t>& values, int index) const {
-    const std::size_t at = checked(index, values.size(), 3);
-    const glm::vec3 result(values[at], values[at + 1], values[at + 2]);
-    if (!std::isfinite(result.x) || !std::isfinite(result.y) || !std::isfinite(result.z))
-      fail("a vertex holds NaN or an infinite number");
-    return result;
-  }
-
-  std::size_t checked(int index, std::size_t size, std::size_t components) const {
-    if (index < 0 || static_cast<std::size_t>(index) >= size / components) fail("a face has an index out of range");
-    return static_cast<std::size_t>(index) * components;
-  }
-
-  [[noreturn]] void fail(const char* reason) const { throw Error(ErrorCode::kMalformed, reason, file_); }
-
-  const tinyobj::attrib_t& attributes_;
-  const std::filesystem::path& file_;
-  TriangleMesh mesh_;
-  std::map<std::tuple<int, int, int>, std::uint32_t> vertices_;
-  bool hasNormals_ = true;
-  bool hasUvs_ = true;
-};
-
-/// The triangles of each material by its index, -1 without material.
-std::map<int, PartBuilder> collectParts(const tinyobj::attrib_t& attributes,
-                                        const std::vector<tinyobj::shape_t>& shapes, std::size_t materials,
-                                        const std::filesystem::path& file) {
-  std::map<int, PartBuilder> parts;
-  for (const tinyobj::shape_t& shape : shapes) {
-    std::size_t first = 0;
-    for (std::size_t f = 0; f < shape.mesh.num_face_vertices.size(); ++f) {
-      const std::size_t corners = shape.mesh.num_face_vertices[f];
-      if (first + corners > shape.mesh.indices.size()) throw Error(ErrorCode::kMalformed, "a face is incomplete", file);
-      const int given = f < shape.mesh.material_ids.size() ? shape.mesh.material_ids[f] : -1;
-      const int material = given >= 0 && static_cast<std::size_t>(given) < materials ? given : -1;
-      PartBuilder& part = parts.try_emplace(material, attributes, file).first->second;
-      for (std::size_t i = 2; i < corners; ++i)
-        for (const std::size_t k : {std::size_t{0}, i - 1, i})
-          part.addCorner(shape.mesh.indices[first + k]);
-      first += corners;
-    }
-  }
-  return parts;
+/// Exporters on Windows write the separators of their system.
+std::string pictureName(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
 }
 
-/// A part without triangles, with name and colour of a material.
-ObjPart partOf(const tinyobj::material_t& material) {
-  ObjPart part;
-  part.material = material.name;
-  part.baseColor = {linearFromSrgb(glm::clamp(material.diffuse[0], 0.0F, 1.0F)),
-                    linearFromSrgb(glm::clamp(material.diffuse[1], 0.0F, 1.0F)),
-                    linearFromSrgb(glm::clamp(material.diffuse[2], 0.0F, 1.0F)),
-                    glm::clamp(material.dissolve, 0.0F, 1.0F)};
-  return part;
+void noteUnused(const tinyobj::material_t& material, Notes& notes) {
+  const std::map<const char*, const std::string*> unused = {
+      {"map_bump", &material.bump_texname},   {"disp", &material.displacement_texname},
+      {"map_Ks", &material.specular_texname}, {"map_Ns", &material.specular_highlight_texname},
+      {"refl", &material.reflection_texname}, {"map_Pr", &material.roughness_texname},
+      {"map_Pm", &material.metallic_texname}, {"map_Ka", &material.ambient_texname},
+      {"map_Ps", &material.sheen_texname}};
+  for (const auto& [keyword, name] : unused)
+    if (!name->empty()) notes.add(std::string(keyword) + " has no counterpart and is left out", *name);
+  if (!material.alpha_texname.empty() && material.alpha_texname != material.diffuse_texname)
+    notes.add("map_d with a picture of its own is left out", material.alpha_texname);
+}
+
+SurfaceMaterial surfaceOf(const tinyobj::material_t& material, Notes& notes) {
+  SurfaceMaterial surface;
+  surface.name = material.name;
+  const auto& kd = material.diffuse;
+  // The library sets 0.6 where a picture has no Kd beside it; exporters write black, which means white as well.
+  const bool isUnset = kd[0] == kd[1] && kd[1] == kd[2] && (kd[0] == 0.0F || kd[0] == 0.6F);
+  const bool onlyPicture = !material.diffuse_texname.empty() && isUnset;
+  surface.baseColor = glm::vec4(onlyPicture ? glm::vec3(1.0F) : linearColor(kd), 1.0F);
+  surface.baseColor.a = std::clamp(material.dissolve, 0.0F, 1.0F);
+  surface.emissive = linearColor(material.emission);
+  surface.baseColorPicture = pictureName(material.diffuse_texname);
+  surface.emissivePicture = pictureName(material.emissive_texname);
+  surface.normalPicture = pictureName(material.normal_texname);
+  surface.alphaInPicture = !material.diffuse_texname.empty() && material.alpha_texname == material.diffuse_texname;
+  surface.metallic = std::clamp(material.metallic, 0.0F, 1.0F);
+  if (material.roughness > 0.0F) surface.roughness = std::clamp(material.roughness, 0.0F, 1.0F);
+  noteUnused(material, notes);
+  return surface;
+}
+
+/// Whether a name stands for several, as mtllib lines may hold names with spaces.
+bool isKnownToBePart(const std::string& name, const std::set<std::string>& read) {
+  return std::any_of(read.begin(), read.end(), [&](const std::string& whole) {
+    return whole.find(' ') != std::string::npos && whole.find(name) != std::string::npos;
+  });
 }
 
 }  // namespace
 
-std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
-                             const asset::ReadObserver& observer) {
+PolygonMesh readObj(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes,
+                    const asset::ReadObserver& observer) {
   std::optional<ConfinedFolder> folder;
   const auto source = [&](const std::string& name) -> std::optional<std::vector<std::byte>> {
-    if (!folder) folder.emplace(folderOf(file));
     std::optional<std::vector<std::byte>> content;
     try {
+      if (!folder) folder.emplace(folderOf(file));
       content = folder->readFile(name, kMaxMaterialBytes);
     } catch (const Error&) {
       content.reset();  // reported as absent: the result changes once the file can be read
@@ -161,34 +121,41 @@ std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesy
     if (observer) observer(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
     return content;
   };
-  return parseObj(bytes, file, source);
+  return parseObj(bytes, file, source, notes);
 }
 
-std::vector<ObjPart> parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
-                              const MaterialSource& materialSource) {
-  std::istringstream stream(filteredObj(bytes, file));
-  SourcedMaterials materialReader(materialSource);
-  tinyobj::attrib_t attributes;
-  std::vector<tinyobj::shape_t> shapes;
-  std::vector<tinyobj::material_t> materials;
-  std::string warning;
-  std::string error;
-  // The library triangulates before indices are checked, so polygons are split here.
-  if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &materialReader,
-                        /*triangulate=*/false))
-    throw Error(ErrorCode::kMalformed, error.empty() ? "not a readable OBJ file" : error, file);
-
-  std::vector<ObjPart> result;
-  for (auto& [id, builder] : collectParts(attributes, shapes, materials.size(), file)) {
-    ObjPart part = id < 0 ? ObjPart() : partOf(materials[static_cast<std::size_t>(id)]);
-    part.mesh = builder.finish();
-    if (!part.mesh.indices.empty()) result.push_back(std::move(part));
-  }
-  if (result.empty() && attributes.vertices.empty())
+PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                     const MaterialSource& materialSource, Notes& notes) {
+  ObjStatements statements = readObjStatements(bytes, file);
+  PolygonMesh& mesh = statements.mesh;
+  if (mesh.faces.empty() && mesh.positions.empty())
     throw Error(ErrorCode::kMalformed, "the OBJ file has no vertices", file);
-  if (result.empty())
+  if (mesh.faces.empty())
     throw Error(ErrorCode::kUnsupported, "the OBJ file has no faces; points and lines cannot be baked", file);
-  return result;
+
+  MaterialLibrary library;
+  std::set<std::string> sought;
+  std::set<std::string> read;
+  for (const std::string& name : statements.libraries) {
+    if (!sought.insert(name).second) continue;
+    const std::optional<std::vector<std::byte>> content = materialSource(name);
+    if (content) library.read(*content);
+    if (content) read.insert(name);
+  }
+  for (const std::string& name : sought) {
+    const bool isWhole = name.find(' ') != std::string::npos;  // its words were sought as well
+    if (!read.contains(name) && !isWhole && !isKnownToBePart(name, read))
+      notes.add("a material file is missing or cannot be read", name);
+  }
+  for (SurfaceMaterial& material : mesh.materials) {
+    const tinyobj::material_t* found = library.find(material.name);
+    if (found != nullptr) {
+      material = surfaceOf(*found, notes);
+    } else if (!read.empty()) {
+      notes.add("a material is not defined in any material file", material.name);
+    }
+  }
+  return std::move(statements.mesh);
 }
 
 }  // namespace jalousie::bake

@@ -1,4 +1,4 @@
-// Reads OBJ files with tinyobjloader, from memory, and checks every index again.
+// Reads OBJ files with their materials.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,24 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
-#include "bake/mesh/triangle_mesh.h"
+#include "bake/io/notes.h"
+#include "bake/io/polygon_mesh.h"
 
 namespace jalousie::bake {
-
-/// Triangles of one material.
-struct ObjPart {
-  std::string material;       ///< name; empty if none
-  glm::vec4 baseColor{1.0F};  ///< linear, from Kd and d of the MTL file
-  TriangleMesh mesh;
-};
 
 /// Bytes of the material file with this name; nullopt if it cannot be read.
 using MaterialSource = std::function<std::optional<std::vector<std::byte>>(const std::string& name)>;
 
-/// Reads an OBJ file. MTL files are read only from inside its folder; materials that cannot be read are left out.
-/// Polygons are triangulated. Errors: kMalformed (parse error, index out of range, NaN), kUnsupported (no
-/// faces), kLimit.
-/// @param observer  called for the MTL files
-std::vector<ObjPart> readObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
-                             const asset::ReadObserver& observer = {});
+/// Reads positions with colours (v x y z r g b, as shares of full colour or of 255, taken as sRGB), texture
+/// coordinates, normals, polygons, smoothing groups and materials. Each object (o) is one of its own; in files without
+/// objects each group (g). Of a material, Kd, d, Ke, Pm, Pr, map_Kd, map_Ke and norm are used. Lines, points, curves
+/// and unknown statements are passed over. A material file is read only from inside the folder of the file; one that
+/// cannot be read is noted. Errors: kMalformed (with the line's number: not a number, index out of range), kUnsupported
+/// (no faces), kLimit. @param observer  called for the MTL files
+PolygonMesh readObj(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes,
+                    const asset::ReadObserver& observer = {});
 /// As readObj, with another source of materials. @param file  for messages
-std::vector<ObjPart> parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
-                              const MaterialSource& materials);
+PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
+                     const MaterialSource& materials, Notes& notes);
 
 }  // namespace jalousie::bake

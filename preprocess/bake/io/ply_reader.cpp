@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "bake/io/color_space.h"
 #include "core/error.h"
 
 namespace jalousie::bake {
@@ -39,6 +40,7 @@ struct Element {
 
 struct Header {
   Encoding encoding = Encoding::kAscii;
+  std::vector<std::string> pictures;  ///< of "comment TextureFile"
   std::vector<Element> elements;
 };
 
@@ -223,7 +225,10 @@ Header parseHeader(Input& input) {
   bool hasFormat = false;
   for (std::size_t lines = 0;; ++lines) {
     if (lines > 4096) input.limit("the PLY header has more than 4096 lines");
-    const std::vector<std::string_view> line = words(input.line());
+    const std::string_view text = input.line();
+    const std::vector<std::string_view> line = words(text);
+    if (line.size() > 2 && line[0] == "comment" && (line[1] == "TextureFile" || line[1] == "texture_file"))
+      header.pictures.emplace_back(text.substr(static_cast<std::size_t>(line[2].data() - text.data())));
     if (line.empty() || line[0] == "comment" || line[0] == "obj_info") continue;
     if (line[0] == "end_header") break;
     if (line[0] == "format" && line.size() == 3 && line[2] == "1.0") {
@@ -276,18 +281,50 @@ void skipProperty(Input& input, const Property& property, Encoding encoding) {
   }
 }
 
-float linearFromSrgb(double value) {
-  return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
-}
-
 /// Slot that a vertex property fills: position 0-2, normal 3-5, uv 6-7, colour 8-11; -1 if none.
 int slotOf(std::string_view name) {
-  constexpr std::array<std::string_view, 12> kNames = {"x", "y", "z",   "nx",    "ny",   "nz",
-                                                       "s", "t", "red", "green", "blue", "alpha"};
-  for (std::size_t i = 0; i < kNames.size(); ++i)
-    if (kNames[i] == name) return static_cast<int>(i);
-  if (name == "u" || name == "texture_u") return 6;
-  if (name == "v" || name == "texture_v") return 7;
+  struct Named {
+    std::string_view name;
+    int slot;
+  };
+  static constexpr std::array<Named, 36> kNames = {{{"x", 0},
+                                                    {"y", 1},
+                                                    {"z", 2},
+                                                    {"nx", 3},
+                                                    {"ny", 4},
+                                                    {"nz", 5},
+                                                    {"normal_x", 3},
+                                                    {"normal_y", 4},
+                                                    {"normal_z", 5},
+                                                    {"s", 6},
+                                                    {"t", 7},
+                                                    {"u", 6},
+                                                    {"v", 7},
+                                                    {"texture_u", 6},
+                                                    {"texture_v", 7},
+                                                    {"texture_s", 6},
+                                                    {"texture_t", 7},
+                                                    {"s0", 6},
+                                                    {"t0", 7},
+                                                    {"u0", 6},
+                                                    {"v0", 7},
+                                                    {"red", 8},
+                                                    {"green", 9},
+                                                    {"blue", 10},
+                                                    {"alpha", 11},
+                                                    {"r", 8},
+                                                    {"g", 9},
+                                                    {"b", 10},
+                                                    {"a", 11},
+                                                    {"diffuse_red", 8},
+                                                    {"diffuse_green", 9},
+                                                    {"diffuse_blue", 10},
+                                                    {"diffuse_alpha", 11},
+                                                    {"Red", 8},
+                                                    {"Green", 9},
+                                                    {"Blue", 10}}};
+  for (const Named& named : kNames)
+    if (named.name == name) return named.slot;
   return -1;
 }
 
@@ -306,7 +343,8 @@ double colorShare(const Input& input, double value, Type type) {
   return std::clamp(share, 0.0, 1.0);
 }
 
-void readVertices(Input& input, const Element& element, Encoding encoding, TriangleMesh& mesh) {
+/// What the vertices have, by slot. Errors: kMalformed (no position, a property twice).
+std::array<bool, 12> slotsOf(const Input& input, const Element& element) {
   std::array<bool, 12> has = {};
   for (const Property& property : element.properties) {
     const int slot = property.countType ? -1 : slotOf(property.name);
@@ -315,6 +353,11 @@ void readVertices(Input& input, const Element& element, Encoding encoding, Trian
     has[static_cast<std::size_t>(slot)] = true;
   }
   if (!has[0] || !has[1] || !has[2]) input.fail("PLY vertices without x, y, z");
+  return has;
+}
+
+void readVertices(Input& input, const Element& element, Encoding encoding, PolygonMesh& mesh) {
+  const std::array<bool, 12> has = slotsOf(input, element);
   const bool hasNormals = has[3] && has[4] && has[5];
   const bool hasUvs = has[6] && has[7];
   const bool hasColors = has[8] && has[9] && has[10];
@@ -331,78 +374,199 @@ void readVertices(Input& input, const Element& element, Encoding encoding, Trian
       if (!std::isfinite(static_cast<float>(value))) input.fail("a PLY vertex holds NaN or an infinite number");
       values[static_cast<std::size_t>(slot)] = slot >= 8 ? colorShare(input, value, property.type) : value;
     }
-    const auto at = [&](std::size_t i) { return static_cast<float>(values[i]); };
-    mesh.positions.emplace_back(at(0), at(1), at(2));
-    if (hasNormals) mesh.normals.emplace_back(at(3), at(4), at(5));
-    if (hasUvs) mesh.uvs.emplace_back(at(6), 1.0F - at(7));
+    mesh.positions.emplace_back(values[0], values[1], values[2]);
+    if (hasNormals) mesh.normals.emplace_back(values[3], values[4], values[5]);
+    if (hasUvs) mesh.uvs.emplace_back(values[6], 1.0F - static_cast<float>(values[7]));
     if (hasColors)
       mesh.colors.emplace_back(linearFromSrgb(values[8]), linearFromSrgb(values[9]), linearFromSrgb(values[10]),
-                               at(11));
+                               values[11]);
   }
 }
 
-void readFaces(Input& input, const Element& element, Encoding encoding, std::vector<std::uint32_t>& indices) {
+/// One face while it is read.
+struct PlyFace {
   std::vector<std::uint32_t> polygon;
-  for (std::uint64_t f = 0; f < element.count; ++f) {
-    for (const Property& property : element.properties) {
-      const bool isIndices =
-          property.countType && (property.name == "vertex_indices" || property.name == "vertex_index");
-      if (!isIndices) {
-        skipProperty(input, property, encoding);
-        continue;
-      }
-      const double count = input.value(*property.countType, encoding);
-      if (!(count >= 0.0) || count > static_cast<double>(input.left()))
-        input.fail("a PLY face has an impossible number of corners");
+  std::vector<float> uvs;  ///< two for each corner, or none
+  double picture = 0.0;    ///< number of its picture
+};
+
+std::uint64_t listLength(Input& input, const Property& property, Encoding encoding) {
+  const double count = input.value(*property.countType, encoding);
+  if (!(count >= 0.0) || count > static_cast<double>(input.left()))
+    input.fail("a PLY face has an impossible number of corners");
+  return static_cast<std::uint64_t>(count);
+}
+
+std::uint32_t vertexIndex(Input& input, const Property& property, Encoding encoding) {
+  const double index = input.value(property.type, encoding);
+  if (!(index >= 0.0 && index < std::numeric_limits<std::uint32_t>::max()) || index != std::floor(index))
+    input.fail("a PLY face has an index out of range");
+  return static_cast<std::uint32_t>(index);
+}
+
+bool isIndexList(const Property& property) {
+  return property.countType && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+void readFace(Input& input, const Element& element, Encoding encoding, PlyFace& face) {
+  face.polygon.clear();
+  face.uvs.clear();
+  face.picture = 0.0;
+  for (const Property& property : element.properties) {
+    if (isIndexList(property)) {
+      const std::uint64_t count = listLength(input, property, encoding);
       if (count > kMaxPolygon)
         input.limit(fmt::format("a PLY face has {} corners, the limit is {}", count, kMaxPolygon));
-      polygon.clear();
-      for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
-        const double index = input.value(property.type, encoding);
-        if (!(index >= 0.0 && index <= std::numeric_limits<std::uint32_t>::max()) || index != std::floor(index))
-          input.fail("a PLY face has an index out of range");
-        polygon.push_back(static_cast<std::uint32_t>(index));
-      }
-      for (std::size_t i = 2; i < polygon.size(); ++i)
-        indices.insert(indices.end(), {polygon[0], polygon[i - 1], polygon[i]});
-      if (indices.size() > 3 * kMaxElements) input.limit("the PLY file has too many triangles");
+      face.polygon.clear();
+      for (std::uint64_t i = 0; i < count; ++i)
+        face.polygon.push_back(vertexIndex(input, property, encoding));
+    } else if (property.countType && property.name == "texcoord") {
+      const std::uint64_t count = listLength(input, property, encoding);
+      for (std::uint64_t i = 0; i < count; ++i)
+        face.uvs.push_back(static_cast<float>(input.value(property.type, encoding)));
+    } else if (!property.countType && property.name == "texnumber") {
+      face.picture = input.value(property.type, encoding);
+    } else {
+      skipProperty(input, property, encoding);
     }
   }
 }
 
-/// Whether all normals have a direction; otherwise all are recomputed.
-bool allUnitLike(const std::vector<glm::vec3>& normals) {
-  return std::all_of(normals.begin(), normals.end(), [](const glm::vec3& n) { return glm::dot(n, n) > 1e-8F; });
+/// Adds faces to a mesh. Attributes of vertices follow the position; texture coordinates of faces replace those.
+class FaceBuilder {
+ public:
+  FaceBuilder(const Input& input, PolygonMesh& mesh, std::size_t pictures)
+      : input_(input), mesh_(mesh), pictures_(pictures), vertexUvs_(mesh.uvs.size()) {}
+
+  void add(const PlyFace& face) {
+    if (face.polygon.size() < 3) return;
+    const bool hasOwnUvs = face.uvs.size() == 2 * face.polygon.size();
+    for (std::size_t i = 0; i < face.polygon.size(); ++i) {
+      PolygonMesh::Corner corner = cornerOf(face.polygon[i]);
+      if (hasOwnUvs) {
+        const float u = face.uvs[2 * i];
+        const float v = face.uvs[2 * i + 1];
+        if (!std::isfinite(u) || !std::isfinite(v)) input_.fail("a PLY texture coordinate is NaN or infinite");
+        corner.uv = static_cast<std::uint32_t>(mesh_.uvs.size());
+        mesh_.uvs.emplace_back(u, 1.0F - v);
+      }
+      mesh_.corners.push_back(corner);
+    }
+    const bool hasPicture = face.picture >= 0.0 && face.picture < static_cast<double>(pictures_);
+    finish(hasPicture ? static_cast<int>(face.picture) : -1);
+  }
+
+  /// The triangles of strips, which -1 separates: every second one is wound the other way.
+  void addStrip(const std::vector<std::int64_t>& strip) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i <= strip.size(); ++i) {
+      if (i < strip.size() && strip[i] >= 0) continue;
+      for (std::size_t k = first; k + 2 < i; ++k) {
+        const std::size_t odd = (k - first) % 2;
+        for (const std::size_t at : {k, k + 1 + odd, k + 2 - odd})
+          mesh_.corners.push_back(cornerOf(static_cast<std::uint32_t>(strip[at])));
+        finish(pictures_ > 0 ? 0 : -1);
+      }
+      first = i + 1;
+    }
+  }
+
+ private:
+  PolygonMesh::Corner cornerOf(std::uint32_t index) const {
+    if (index >= mesh_.positions.size()) input_.fail("a PLY face has an index out of range");
+    PolygonMesh::Corner corner{index, kNoIndex, kNoIndex};
+    if (!mesh_.normals.empty()) corner.normal = index;
+    if (vertexUvs_ > 0) corner.uv = index;
+    return corner;
+  }
+
+  void finish(int material) {
+    if (mesh_.corners.size() > 3 * kMaxElements) input_.limit("the PLY file has too many triangles");
+    PolygonMesh::Face face;
+    face.end = static_cast<std::uint32_t>(mesh_.corners.size());
+    face.material = material;
+    mesh_.faces.push_back(face);
+  }
+
+  const Input& input_;
+  PolygonMesh& mesh_;
+  std::size_t pictures_;
+  std::size_t vertexUvs_;
+};
+
+void readStrips(Input& input, const Element& element, Encoding encoding, FaceBuilder& faces) {
+  std::vector<std::int64_t> strip;
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    for (const Property& property : element.properties) {
+      if (!isIndexList(property)) {
+        skipProperty(input, property, encoding);
+        continue;
+      }
+      const std::uint64_t count = listLength(input, property, encoding);
+      strip.clear();
+      for (std::uint64_t k = 0; k < count; ++k) {
+        const double index = input.value(property.type, encoding);
+        if (!(index >= -1.0 && index < std::numeric_limits<std::uint32_t>::max()) || index != std::floor(index))
+          input.fail("a PLY strip has an index out of range");
+        strip.push_back(static_cast<std::int64_t>(index));
+      }
+      faces.addStrip(strip);
+    }
+  }
+}
+
+void skipElement(Input& input, const Element& element, Encoding encoding) {
+  for (std::uint64_t i = 0; i < element.count; ++i)
+    for (const Property& property : element.properties)
+      skipProperty(input, property, encoding);
+}
+
+void noteSkipped(const Element& element, Notes& notes) {
+  const bool isKnown = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
+  if (!isKnown && element.count > 0) notes.add("PLY elements are passed over", element.name);
+  for (const Property& property : element.properties) {
+    const bool isColor = element.name == "face" && slotOf(property.name) >= 8;
+    if (isColor) notes.add("colours of PLY faces are left out", property.name);
+  }
 }
 
 }  // namespace
 
-TriangleMesh readPly(std::span<const std::byte> bytes, const std::filesystem::path& file) {
+PolygonMesh readPly(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes) {
   Input input(bytes, file);
   const Header header = parseHeader(input);
   checkCounts(input, header);
-  TriangleMesh mesh;
+  PolygonMesh mesh;
+  for (const std::string& picture : header.pictures) {
+    mesh.materials.emplace_back();
+    mesh.materials.back().name = picture;
+    mesh.materials.back().baseColorPicture = picture;
+  }
+  std::optional<FaceBuilder> faces;
+  bool hasFaces = false;
   for (const Element& element : header.elements) {
+    noteSkipped(element, notes);
     if (element.name == "vertex" && mesh.positions.empty()) {
       readVertices(input, element, header.encoding, mesh);
-    } else if (element.name == "face") {
-      readFaces(input, element, header.encoding, mesh.indices);
+      continue;
+    }
+    hasFaces = hasFaces || ((element.name == "face" || element.name == "tristrips") && element.count > 0);
+    if (!faces && hasFaces) faces.emplace(input, mesh, header.pictures.size());
+    if (element.name == "face" && faces) {
+      PlyFace face;
+      for (std::uint64_t f = 0; f < element.count; ++f) {
+        readFace(input, element, header.encoding, face);
+        faces->add(face);
+      }
+    } else if (element.name == "tristrips" && faces) {
+      readStrips(input, element, header.encoding, *faces);
     } else {
-      for (std::uint64_t i = 0; i < element.count; ++i)
-        for (const Property& property : element.properties)
-          skipProperty(input, property, header.encoding);
+      skipElement(input, element, header.encoding);
     }
   }
-  for (const std::uint32_t index : mesh.indices)
-    if (index >= mesh.positions.size()) input.fail("a PLY face has an index out of range");
-  const bool hasFaces = std::any_of(header.elements.begin(), header.elements.end(),
-                                    [](const Element& element) { return element.name == "face" && element.count > 0; });
-  if (mesh.indices.empty() && hasFaces) input.fail("no face of the PLY file has three corners");
-  if (mesh.indices.empty())
+  if (mesh.faces.empty() && hasFaces) input.fail("no face of the PLY file has three corners");
+  if (mesh.faces.empty())
     throw Error(ErrorCode::kUnsupported, "the PLY file has no faces; point clouds cannot be baked", file);
-  if (!allUnitLike(mesh.normals)) mesh.normals.clear();
-  for (glm::vec3& normal : mesh.normals)
-    normal = glm::normalize(normal);
   return mesh;
 }
 

@@ -20,6 +20,7 @@ struct PrimitiveData {
   std::vector<Attribute> attributes;
   std::uint32_t firstVertex = 0;  ///< of its vertices in CombinedMesh
   std::uint32_t vertexCount = 0;
+  std::uint32_t source = 0;          ///< the glTF primitive it comes from; several may come from one
   std::uint64_t repairedValues = 0;  ///< numbers of attributes that were NaN or infinite and became 0
 };
 
@@ -28,6 +29,7 @@ struct CombinedMesh {
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> primitiveOf;  ///< [positions.size()]
   std::vector<PrimitiveData> primitives;
+  std::vector<std::uint32_t> sourceVertex;  ///< [positions.size()] its index in the glTF primitive; empty: not needed
   std::vector<std::uint32_t> indices;
 };
 

@@ -98,7 +98,7 @@ void rebuildNormals(CombinedMesh& mesh, double degrees) {
     result.corners[c] = wedge;
     result.vertexOf.push_back(wedges.vertexOf[old]);
     result.primitiveOf.push_back(wedges.primitiveOf[old]);
-    result.sourceWedge.push_back(wedge);
+    result.sourceWedge.push_back(old);
     const float* values = wedges.attributes.data() + std::size_t{old} * wedges.stride;
     result.attributes.insert(result.attributes.end(), values, values + wedges.stride);
     const glm::dvec3& sum = sums[fanOf[c]];

@@ -67,6 +67,8 @@ void subdivideMesh(CombinedMesh& mesh, std::uint32_t steps) {
   for (const Attribute& attribute : mesh.primitives[0].attributes)
     if (attribute.name != "POSITION" && attribute.name != "NORMAL")
       throw Error(ErrorCode::kUnsupported, "--subdivide cannot interpolate " + attribute.name + "; omit the option");
+  if (!mesh.sourceVertex.empty())
+    throw Error(ErrorCode::kUnsupported, "--subdivide cannot interpolate attributes of integers; omit the option");
   if (mesh.indices.size() / 3 > (1ULL << 26U) >> (2 * steps))
     throw Error(ErrorCode::kLimit, "--subdivide would make more than 67 million triangles");
 

@@ -129,6 +129,28 @@ void straightenTangents(PrimitiveData& data) {
   }
 }
 
+/// The vertex of each wedge that makeWedges made of a mesh: wedges are numbered by the first use of their vertices.
+std::vector<std::uint32_t> verticesByFirstUse(const CombinedMesh& mesh) {
+  std::vector<bool> seen(mesh.positions.size(), false);
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t index : mesh.indices) {
+    if (!seen[index]) vertices.push_back(index);
+    seen[index] = true;
+  }
+  return vertices;
+}
+
+/// Fills sourceVertex of a mesh whose vertices are the wedges in the order of their primitives.
+void traceVertices(const WedgeMesh& mesh, const CombinedMesh& source,
+                   const std::vector<std::vector<std::uint32_t>>& wedgesOf, CombinedMesh& combined) {
+  if (source.sourceVertex.empty()) return;
+  const std::vector<std::uint32_t> vertices = verticesByFirstUse(source);
+  combined.sourceVertex.reserve(combined.positions.size());
+  for (const std::vector<std::uint32_t>& wedges : wedgesOf)
+    for (const std::uint32_t w : wedges)
+      combined.sourceVertex.push_back(source.sourceVertex[vertices.at(mesh.sourceWedge[w])]);
+}
+
 }  // namespace
 
 CombinedMesh combineWedges(const WedgeMesh& mesh, const CombinedMesh& source) {
@@ -140,6 +162,7 @@ CombinedMesh combineWedges(const WedgeMesh& mesh, const CombinedMesh& source) {
   std::vector<std::uint32_t> vertexOfWedge(mesh.vertexOf.size());
   for (std::size_t p = 0; p < primitives; ++p) {
     PrimitiveData data;
+    data.source = source.primitives[p].source;
     data.firstVertex = static_cast<std::uint32_t>(combined.positions.size());
     data.vertexCount = static_cast<std::uint32_t>(wedgesOf[p].size());
     for (const std::uint32_t w : wedgesOf[p]) {
@@ -164,6 +187,7 @@ CombinedMesh combineWedges(const WedgeMesh& mesh, const CombinedMesh& source) {
     straightenTangents(data);
     combined.primitives.push_back(std::move(data));
   }
+  traceVertices(mesh, source, wedgesOf, combined);
   combined.indices.reserve(mesh.corners.size());
   for (const std::uint32_t wedge : mesh.corners)
     combined.indices.push_back(vertexOfWedge[wedge]);

@@ -93,7 +93,11 @@ std::string batchJson(const std::vector<BakeJob>& jobs, const BatchOutcome& outc
                           {"output", jobs[i].output.string()},
                           {"status", statusName(job.result.status)}};
     if (job.failure) entry["error"] = failureJson(*job.failure);
-    if (!job.result.report.empty()) entry["meshes"] = ordered_json::parse(job.result.report).at("meshes");
+    if (!job.result.report.empty()) {
+      const ordered_json report = ordered_json::parse(job.result.report);
+      for (const char* key : {"warnings", "meshes"})
+        entry[key] = report.at(key);
+    }
     json["files"].push_back(std::move(entry));
   }
   const std::map<JobStatus, std::size_t> counts = countStatus(outcome);

@@ -13,7 +13,7 @@
 namespace jalousie::bake {
 
 struct BakeJob {
-  std::vector<std::filesystem::path> inputs;  ///< one, or several PLY and OBJ files that become one document
+  std::vector<std::filesystem::path> inputs;  ///< one, or several PLY, OBJ and STL files that become one document
   std::filesystem::path output;
   std::filesystem::path sheet;  ///< empty: none
 };
@@ -44,7 +44,7 @@ struct JobResult {
   std::vector<std::filesystem::path> dependencies;  ///< every file that was read, inputs first
   std::string report;                               ///< as reportJson
   std::string table;                                ///< as reportText
-  std::string warning;                              ///< one line; empty if all went well
+  std::vector<std::string> warnings;                ///< one line each; what was left out, and what went wrong
 };
 
 /// Why a job failed.

@@ -174,8 +174,9 @@ class Batch {
 
   void announce(const BakeJob& job, const JobOutcome& outcome, double seconds) {
     if (outcome.failure) progress_.print(fmt::format("jalousie-bake: {}", outcome.failure->message));
-    if (!outcome.result.warning.empty())
-      progress_.print(fmt::format("jalousie-bake: warning: {}", outcome.result.warning));
+    for (const std::string& warning : outcome.result.warnings)
+      progress_.print(
+          fmt::format("jalousie-bake: warning: {}: {}", oneLine(job.inputs.front().string()), oneLine(warning)));
     if (!options_.lines || options_.quiet || progress_.visible()) return;
     progress_.print(fmt::format("[{}/{}] {} {} -> {} ({:.1f} s)", finished_, jobs_.size(),
                                 statusName(outcome.result.status), oneLine(job.inputs.front().string()),

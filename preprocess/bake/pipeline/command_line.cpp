@@ -93,12 +93,12 @@ void addFileOptions(CLI::App& program, CommandLine& result) {
   program.option_defaults()->group(kOutputs);
   program
       .add_option("inputs", result.inputs,
-                  "Read these PLY, OBJ, glTF or GLB files; "
+                  "Read these PLY, OBJ, STL, glTF or GLB files; "
                   "if the output is a folder, also folders and quoted patterns with *, ? and **")
       ->type_name("IN...");
   program
       .add_option("-o,--output", result.output,
-                  "Write the baked file; several PLY and OBJ files become one scene. "
+                  "Write the baked file; several PLY, OBJ and STL files become one scene. "
                   "A folder (one that exists, or with a slash at the end) gets one file for each input")
       ->required()
       ->type_name("OUT.glb|FOLDER/");

@@ -58,8 +58,9 @@ void makeFolderOf(const fs::path& file) {
 
 CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<ReadFile>& read,
                 const std::function<void(const std::string&)>& progress) {
+  Notes notes;
   tinygltf::Model model =
-      importFiles(job.inputs, settings.bake.limits,
+      importFiles(job.inputs, settings.bake.limits, notes,
                   [&](std::size_t input, const std::string& name, std::optional<std::span<const std::byte>> bytes) {
                     read.push_back({input, name, bytes ? std::optional(sha256(*bytes)) : std::nullopt});
                   });
@@ -79,7 +80,8 @@ CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<Rea
   if (settings.quantize) asset::quantizeModel(model);
   entry.output = asset::encodeGlb(std::move(model), {settings.compress});
   requireReadable(entry.output, job.output);
-  entry.report = reportJson(reports);
+  noteMeshes(reports, notes);
+  entry.report = reportJson(reports, notes.lines());
   entry.table = reportText(reports);
   return entry;
 }
@@ -108,10 +110,11 @@ JobResult runJob(const BakeJob& job, const JobSettings& settings,
   }
   unchanged = writeIfOther(job.output, entry->output) && unchanged;
   JobResult result;
+  result.warnings = reportedWarnings(entry->report);
   try {
     if (cache && !isHit) cache->store(job, read, *entry);
   } catch (const Error& error) {  // the bake is done; only the next one will be slower
-    result.warning = error.what();
+    result.warnings.emplace_back(error.what());
   }
   result.status = unchanged ? JobStatus::kUnchanged : isHit ? JobStatus::kCached : JobStatus::kBaked;
   result.dependencies = dependencyPaths(job, read);

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -101,7 +103,8 @@ void limitMemory(std::uint64_t bytes) {
       nextReport = now + std::chrono::milliseconds(100);
       send(pipe, 'P', {what.substr(0, 500)});
     });
-    Fields fields = {fmt::format("{}", static_cast<int>(result.status)), result.report, result.table, result.warning};
+    Fields fields = {fmt::format("{}", static_cast<int>(result.status)), result.report, result.table,
+                     fmt::format("{}", fmt::join(result.warnings, "\n"))};
     for (const std::filesystem::path& file : result.dependencies)
       fields.push_back(file.string());
     send(pipe, 'R', fields);
@@ -174,7 +177,9 @@ void Worker::take(char kind, const std::vector<std::string>& fields) {
   result.status = static_cast<JobStatus>(std::stoi(fields.at(0)));
   result.report = fields.at(1);
   result.table = fields.at(2);
-  result.warning = fields.at(3);
+  std::istringstream warnings(fields.at(3));
+  for (std::string line; std::getline(warnings, line);)
+    result.warnings.push_back(line);
   for (std::size_t i = 4; i < fields.size(); ++i)
     result.dependencies.emplace_back(fields[i]);
   result_ = std::move(result);

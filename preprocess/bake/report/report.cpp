@@ -92,8 +92,22 @@ std::string reportText(const std::vector<MeshReport>& meshes) {
   return text;
 }
 
-std::string reportJson(const std::vector<MeshReport>& meshes) {
+std::vector<std::string> reportedWarnings(const std::string& json) {
+  return ordered_json::parse(json).value("warnings", std::vector<std::string>());
+}
+
+void noteMeshes(const std::vector<MeshReport>& meshes, Notes& notes) {
+  for (const MeshReport& mesh : meshes) {
+    if (!mesh.passedThrough.empty()) notes.add("a mesh is passed through because " + mesh.passedThrough, mesh.name);
+    if (mesh.findings.cleaned.notFinite > 0)
+      notes.add("triangles with NaN or infinite positions are dropped", mesh.name);
+    if (mesh.findings.repairedValues > 0) notes.add("NaN or infinite attribute values are set to 0", mesh.name);
+  }
+}
+
+std::string reportJson(const std::vector<MeshReport>& meshes, const std::vector<std::string>& warnings) {
   ordered_json json;
+  json["warnings"] = warnings;
   json["meshes"] = ordered_json::array();
   for (const MeshReport& mesh : meshes) {
     ordered_json entry;

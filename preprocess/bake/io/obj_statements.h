@@ -1,0 +1,22 @@
+// Reads the statements of an OBJ file; materials are names only.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bake/io/polygon_mesh.h"
+
+namespace jalousie::bake {
+
+struct ObjStatements {
+  PolygonMesh mesh;                    ///< its materials have names only
+  std::vector<std::string> libraries;  ///< names after mtllib
+};
+
+/// Errors: kMalformed (with the line's number), kLimit (names or numbers that are too long, too many corners).
+ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file);
+
+}  // namespace jalousie::bake

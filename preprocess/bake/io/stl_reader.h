@@ -1,0 +1,17 @@
+// Reads STL files, binary and ASCII.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "bake/io/polygon_mesh.h"
+
+namespace jalousie::bake {
+
+/// Corners at equal places become one vertex. Normals of the file are not used: many programs write none. Each solid of
+/// an ASCII file is an object. @param file  names the input in errors. Errors: kMalformed (neither kind, cut off, not a
+/// finite number), kUnsupported (no triangles), kLimit.
+PolygonMesh readStl(std::span<const std::byte> bytes, const std::filesystem::path& file);
+
+}  // namespace jalousie::bake
