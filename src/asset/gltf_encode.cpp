@@ -64,6 +64,14 @@ void embedImages(Model& model) {
   }
 }
 
+/// Members that are not understood stay as they are in the original. Where the bytes are has to be what was understood.
+void settlePlaces(json& merged, const json& document) {
+  if (!document.contains("bufferViews")) return;
+  for (std::size_t i = 0; i < document["bufferViews"].size(); ++i)
+    for (const char* key : {"buffer", "byteOffset", "byteLength"})
+      merged.at("bufferViews").at(i)[key] = document["bufferViews"][i].at(key);
+}
+
 /// The JSON of the model: that of its document with the changes made since, if it carries one.
 json documentOf(Model& model, const json& original) {
   model.extensions_json_string.clear();
@@ -71,6 +79,7 @@ json documentOf(Model& model, const json& original) {
   if (original.is_null()) return document;
   json merged = original;
   detail::applyChanges(merged, detail::understoodJson(original), document);
+  settlePlaces(merged, document);
   if (const auto images = merged.find("images"); images != merged.end())
     for (json& image : *images)
       image.erase("uri");  // all have views
@@ -156,7 +165,7 @@ std::vector<std::byte> assemble(const std::string& text, std::span<const std::by
 
 }  // namespace
 
-std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) {
+std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) try {
   json original;
   if (!model.extensions_json_string.empty()) original = json::parse(model.extensions_json_string);
   for (std::size_t i = 0; i < model.bufferViews.size(); ++i)
@@ -171,6 +180,8 @@ std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) {
   if (!binary.empty()) document["buffers"] = json::array({json::object({{"byteLength", binary.size()}})});
   if (options.compress) detail::encodeMeshoptViews(document, binary);
   return assemble(document.dump(), std::as_bytes(std::span(binary)));
+} catch (const json::exception& error) {
+  throw Error(ErrorCode::kMalformed, fmt::format("the JSON cannot be kept: {}", oneLine(error.what())));
 }
 
 }  // namespace jalousie::asset

@@ -21,14 +21,17 @@ class ImageCheck {
   ImageCheck(const tinygltf::Model& model, const Limits& limits) : model_(model), limits_(limits) {}
 
   void run() {
+    std::set<std::size_t> drawn;  // by every reader, also those that know no extension
+    for (const tinygltf::Texture& texture : model_.textures)
+      if (texture.source >= 0) drawn.insert(static_cast<std::size_t>(texture.source));
     for (std::size_t i = 0; i < model_.images.size(); ++i)
-      detail::useImage(model_, i, [&](std::span<const std::byte> bytes) { check(bytes); });
+      detail::useImage(model_, i, [&](std::span<const std::byte> bytes) { check(bytes, drawn.contains(i)); });
   }
 
  private:
-  void check(std::span<const std::byte> bytes) {
+  void check(std::span<const std::byte> bytes, bool isDrawn) {
+    if (!isDrawn && !detail::foreignMimeType(bytes).empty()) return;
     if (!seen_.insert({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).second) return;
-    if (!detail::foreignMimeType(bytes).empty()) return;
     const ImageSize size = imageSize(bytes, limits_.images);
     bytes_ += bytes.size();
     pixels_ += std::uint64_t{size.width} * size.height;

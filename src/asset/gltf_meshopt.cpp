@@ -75,12 +75,13 @@ void requireKnownCodec(const Compressed& source, std::size_t view, const Path& f
   constexpr unsigned kVertexHeader = 0xa0;
   const bool isNewer = source.mode == "ATTRIBUTES" && source.size > 0 && (source.data[0] & 0xf0U) == kVertexHeader &&
                        (source.data[0] & 0x0fU) > 0;
-  if (isNewer || source.filter == "COLOR")
+  if (isNewer || source.filter == "COLOR") {
     throw Error(ErrorCode::kUnsupported,
                 fmt::format("buffer view {}: KHR_meshopt_compression with a codec or filter that the installed "
                             "meshoptimizer does not have",
                             view),
                 file);
+  }
 }
 
 Compressed readExtension(const json& extension, const json& bufferView, std::size_t view,

@@ -213,9 +213,9 @@ tinygltf::Model panelOfCharts(std::uint32_t n) {
     for (std::uint32_t x = 0; x < n; ++x) {
       const auto first = static_cast<std::uint32_t>(panel.positions.size());
       for (std::uint32_t k = 0; k < 4; ++k) {
-        panel.positions.emplace_back(static_cast<float>(x + k % 2), static_cast<float>(y + k / 2), 0.0F);
+        panel.positions.emplace_back(static_cast<float>(x + k % 2), static_cast<float>(y + (k >> 1U)), 0.0F);
         panel.normals.emplace_back(0.0F, 0.0F, 1.0F);
-        panel.uvs.emplace_back(static_cast<float>(7 * x + 3 * y + k % 2) * 0.01F, static_cast<float>(k / 2) * 0.01F);
+        panel.uvs.emplace_back(static_cast<float>(7 * x + 3 * y + k % 2) * 0.01F, static_cast<float>(k >> 1U) * 0.01F);
       }
       panel.indices.insert(panel.indices.end(), {first, first + 1, first + 3, first, first + 3, first + 2});
     }
