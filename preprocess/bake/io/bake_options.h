@@ -16,7 +16,7 @@ struct BakeOptions {
   std::uint32_t subdivide = 0;      ///< Loop steps before anything else
   std::optional<double> hardAngle;  ///< rebuild normals: edges that bend by more degrees stay hard
   double weld = 0.0;                ///< weld vertices that are at most this far apart, object units
-  bool sceneBudget = true;          ///< ratios hold for all meshes together; not for the preset draft
+  bool sceneBudget = false;         ///< ratios hold for all meshes together; not for the preset draft
   bool keepUnused = false;          ///< keep attributes that no material uses in every level
   ScreenTolerance screen;           ///< for MSFT_screencoverage
   CellOptions cells;

@@ -272,11 +272,11 @@ void addMeshOptions(CLI::App& program, BakeOptions& bake) {
   program
       .add_option(
           "--budget", bake.sceneBudget,
-          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
-          "in all meshes; with --preset draft always mesh")
+          "Apply the ratios to each mesh by itself, or to the scene as a whole. scene: the least error goes first "
+          "in all meshes, so that one level of the whole file has the least error; not with --preset draft")
       ->transform(CLI::Validator(budgetNumber, ""))
       ->type_name("scene|mesh")
-      ->default_str("scene");
+      ->default_str("mesh");
   program.add_option("--weld", bake.weld, "Weld vertices that are at most this far apart, object units [equal ones]")
       ->check(CLI::PositiveNumber)
       ->type_name("DISTANCE");
