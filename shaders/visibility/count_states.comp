@@ -32,8 +32,7 @@ uint countDrawn(ObjectState state, Chain chain, uint mark, bool early) {
   atomicAdd(groupCounters[early ? kCounterEarly : kCounterLate], 1u);
   if ((mark & kMarkSwitched) != 0u) atomicAdd(groupCounters[kCounterSwitches], 1u);
   atomicAdd(groupCounters[kCounterLevels + (patches ? state.tessellation - 1u : state.lod)], 1u);
-  return patches ? lods[chain.patchLod].triangleCount * tessellatedTriangles(state.tessellation)
-                 : lods[chain.firstLod + state.lod].triangleCount;
+  return trianglesAt(chain, state);
 }
 
 void countObject(uint id) {
@@ -52,7 +51,7 @@ void countObject(uint id) {
   bool fadingPlaced = fades && (early ? earlySlots[2u * id + 1u] : lateSlots[2u * id + 1u]) != kNoBin;
 #endif
   uint triangles = placed ? countDrawn(state, chain, mark, early) : 0u;
-  if (fadingPlaced) triangles += lods[chain.firstLod + fadingLod(state.lod, mark)].triangleCount;
+  if (fadingPlaced) triangles += fadingTriangles(chain, state.lod, mark);
   if (placed && fadingPlaced) atomicAdd(groupCounters[kCounterFading], 1u);
 #ifndef JAL_CELLS  // count_cells.comp counts triangles and what found no room
   if (!placed || fades != fadingPlaced) atomicAdd(groupCounters[kCounterDropped], 1u);

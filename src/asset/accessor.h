@@ -42,6 +42,9 @@ tinygltf::Model extractElements(const tinygltf::Model& model, int accessor, std:
 // @param target  bufferView.target: TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER or 0 (none)
 // @return        the new accessor's index
 
+/// Appends bytes as they are, at a multiple of four. @param stride  bufferView.byteStride; 0: none
+/// @return  the new buffer view's index
+int appendView(tinygltf::Model& model, std::span<const std::byte> bytes, int target, std::size_t stride = 0);
 int appendScalars(tinygltf::Model& model, std::span<const float> values, int target);
 int appendVec2(tinygltf::Model& model, std::span<const glm::vec2> values, int target);
 /// With min and max, which glTF requires for POSITION.

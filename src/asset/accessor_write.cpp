@@ -11,7 +11,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF buffers are little-endian");
 
-int appendView(tinygltf::Model& model, std::span<const std::byte> bytes, int target) {
+}  // namespace
+
+int appendView(tinygltf::Model& model, std::span<const std::byte> bytes, int target, std::size_t stride) {
   if (model.buffers.empty()) model.buffers.emplace_back();
   std::vector<unsigned char>& data = model.buffers[0].data;
   data.resize((data.size() + 3) / 4 * 4);
@@ -19,12 +21,15 @@ int appendView(tinygltf::Model& model, std::span<const std::byte> bytes, int tar
   view.buffer = 0;
   view.byteOffset = data.size();
   view.byteLength = bytes.size();
+  view.byteStride = stride;
   view.target = target;
   data.resize(data.size() + bytes.size());
   std::memcpy(data.data() + view.byteOffset, bytes.data(), bytes.size());
   model.bufferViews.push_back(std::move(view));
   return static_cast<int>(model.bufferViews.size()) - 1;
 }
+
+namespace {
 
 /// How an accessor reads its view: TINYGLTF_TYPE_... and TINYGLTF_COMPONENT_TYPE_...
 struct Layout {

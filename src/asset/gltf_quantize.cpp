@@ -44,25 +44,15 @@ int appendIntegers(tinygltf::Model& model, const std::vector<Integer>& values, s
                    int componentType) {
   const std::size_t count = values.size() / components;
   const std::size_t stride = (components * sizeof(Integer) + 3) / 4 * 4;
-  if (model.buffers.empty()) model.buffers.emplace_back();
-  std::vector<unsigned char>& data = model.buffers[0].data;
-  data.resize((data.size() + 3) / 4 * 4);
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = data.size();
-  view.byteLength = stride * count;
-  view.byteStride = stride;
-  view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
-  data.resize(data.size() + view.byteLength, 0);
+  std::vector<std::byte> padded(stride * count);
   for (std::size_t i = 0; i < count; ++i)
-    std::memcpy(&data[view.byteOffset + i * stride], &values[i * components], components * sizeof(Integer));
+    std::memcpy(&padded[i * stride], &values[i * components], components * sizeof(Integer));
   tinygltf::Accessor accessor;
-  accessor.bufferView = static_cast<int>(model.bufferViews.size());
+  accessor.bufferView = appendView(model, padded, TINYGLTF_TARGET_ARRAY_BUFFER, stride);
   accessor.componentType = componentType;
   accessor.type = type;
   accessor.normalized = true;
   accessor.count = count;
-  model.bufferViews.push_back(std::move(view));
   model.accessors.push_back(std::move(accessor));
   return static_cast<int>(model.accessors.size()) - 1;
 }

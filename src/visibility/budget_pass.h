@@ -19,7 +19,7 @@ class BudgetPass {
   explicit BudgetPass(ObjectStore& objects, const gl::ShaderLibrary& shaders = {});
 
   /// Makes levels coarser where the frame would have too many triangles. In scenes with cells the caller has to decide
-  /// about the cells again, with the workgroups of cellGroups. Leaves STORAGE and COMMAND barriers.
+  /// about the cells again, with the workgroups in words(). Leaves STORAGE and COMMAND barriers.
   /// @param list  of the phase that is drawn next; it is not built yet   @param view  of the frame, with a budget
   void limit(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view, const DrawList& list);
   /// Moves the price for the next frame. Leaves a UNIFORM barrier. @param list  as limit

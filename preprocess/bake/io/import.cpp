@@ -1,5 +1,6 @@
 // Chooses the reader by the file's extension.
 #include "bake/io/import.h"
+#include "bake/io/beside.h"
 
 #include <algorithm>
 
@@ -39,31 +40,6 @@ tinygltf::Model emptyDocument() {
 }
 
 constexpr const char* kKinds = "only .ply, .obj, .stl, .gltf and .glb files are read";
-
-/// Files beside an input, which the input names.
-class Beside {
- public:
-  Beside(const std::filesystem::path& file, std::uint64_t maxBytes, const asset::ReadObserver& observer)
-      : file_(file), maxBytes_(maxBytes), observer_(observer) {}
-
-  std::optional<std::vector<std::byte>> read(const std::string& name) {
-    std::optional<std::vector<std::byte>> content;
-    try {
-      if (!folder_) folder_.emplace(folderOf(file_));
-      content = folder_->readFile(name, maxBytes_);
-    } catch (const Error&) {
-      content.reset();  // reported as absent: the result changes once the file can be read
-    }
-    if (observer_) observer_(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
-    return content;
-  }
-
- private:
-  const std::filesystem::path& file_;
-  std::uint64_t maxBytes_;
-  const asset::ReadObserver& observer_;
-  std::optional<ConfinedFolder> folder_;
-};
 
 /// Adds a PLY, OBJ or STL file, a node for each of its objects.
 void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const std::filesystem::path& file,

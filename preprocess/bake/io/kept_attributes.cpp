@@ -89,25 +89,13 @@ PackedElements packedElements(const tinygltf::Model& model, int accessor, const 
 
 int appendElements(tinygltf::Model& model, int accessor, const std::vector<std::uint32_t>& elements) {
   const PackedElements packed = packedElements(model, accessor, elements, ~0ULL);
-  if (model.buffers.empty()) model.buffers.emplace_back();
-  std::vector<unsigned char>& data = model.buffers[0].data;
-  data.resize((data.size() + 3) / 4 * 4);
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = data.size();
-  view.byteLength = packed.bytes.size();
-  view.byteStride = packed.elementBytes;
-  view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
-  const auto* first = reinterpret_cast<const unsigned char*>(packed.bytes.data());
-  data.insert(data.end(), first, first + packed.bytes.size());
   const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
   tinygltf::Accessor copy;
-  copy.bufferView = static_cast<int>(model.bufferViews.size());
+  copy.bufferView = asset::appendView(model, packed.bytes, TINYGLTF_TARGET_ARRAY_BUFFER, packed.elementBytes);
   copy.componentType = source.componentType;
   copy.type = source.type;
   copy.normalized = source.normalized;
   copy.count = elements.size();
-  model.bufferViews.push_back(std::move(view));
   model.accessors.push_back(std::move(copy));
   return static_cast<int>(model.accessors.size()) - 1;
 }

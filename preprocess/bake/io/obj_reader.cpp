@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string_view>
 
+#include "bake/io/beside.h"
 #include "bake/io/color_space.h"
 #include "bake/io/obj_statements.h"
-#include "core/confined_folder.h"
 #include "core/error.h"
 #include "core/file.h"
 
@@ -109,19 +109,9 @@ bool isKnownToBePart(const std::string& name, const std::set<std::string>& read)
 
 PolygonMesh readObj(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes,
                     const asset::ReadObserver& observer) {
-  std::optional<ConfinedFolder> folder;
-  const auto source = [&](const std::string& name) -> std::optional<std::vector<std::byte>> {
-    std::optional<std::vector<std::byte>> content;
-    try {
-      if (!folder) folder.emplace(folderOf(file));
-      content = folder->readFile(name, kMaxMaterialBytes);
-    } catch (const Error&) {
-      content.reset();  // reported as absent: the result changes once the file can be read
-    }
-    if (observer) observer(name, content ? std::optional<std::span<const std::byte>>(*content) : std::nullopt);
-    return content;
-  };
-  return parseObj(bytes, file, source, notes);
+  Beside beside(file, kMaxMaterialBytes, observer);
+  return parseObj(
+      bytes, file, [&](const std::string& name) { return beside.read(name); }, notes);
 }
 
 PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
