@@ -22,6 +22,8 @@ constexpr const char* kExamples =
   measures      triangles and image error for every visibility measure
   fit           triangles of --lod price at equal error, for several caps and kinds of the error, with the means over
                 all views and the price that has the error of one pixel; 640x360
+  best          triangles at equal error of --lod price and of the best choice of one level per object, which knows the
+                error of every level; 640x360
   prove         triangles at equal PSNR, SSIM and FLIP of every level rule, with and without cells, over those of
                 two-phase culling with levels by pixel error on whole objects; still and moving; 640x360
   prove-table   the same table and its means from files that prove --json wrote: lv_bench prove-table FILE.json...
@@ -30,7 +32,7 @@ constexpr const char* kExamples =
   masking       tolerable error of one object behind holes of 1 to 64 pixels over that behind a window, by every image
                 metric, for occluders of three greys, with the range over all views; 256x256
   masking-cost  triangles and times of frames with --masking over those without
-With fit, prove and masking, a VIEW that ends in .glb or .gltf is another scene, and the next views are views of it.
+With fit, best, prove and masking, a VIEW that ends in .glb or .gltf is another scene, and the next views are views of it.
 VIEW is a frame of the scene's camera path, or EYE:LOOK as X,Y,Z:X,Y,Z in world units. The baselines are two-phase
 culling and frustum culling with levels by pixel error. The exit code is 1 if a picture or a count is wrong.
 Examples:
@@ -38,6 +40,8 @@ Examples:
       measures two frames of the camera path
   lv_bench fit city.glb 0,2,9:0,0,0 crowd.glb 300 900
       fits the constants of --lod price over two scenes
+  lv_bench best crowd.glb 300 900
+      says how far the default is from the best choice of levels in two frames
   lv_bench prove city.glb 0,2,9:0,0,0 crowd.glb 300 900 --json prove.json
       makes the proving table of three views and writes the figures, with all sweeps
   lv_bench prove-table prove.json other.json
@@ -58,16 +62,16 @@ struct Arguments {
   std::vector<std::string> candidates;
 
   bool proves() const { return what == "prove"; }
-  bool takesScenes() const { return what == "fit" || what == "masking" || proves(); }
+  bool takesScenes() const { return what == "fit" || what == "best" || what == "masking" || proves(); }
 };
 
 void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("what", arguments.what, "Measurement")
       ->required()
-      ->check(CLI::IsMember({"worth", "measures", "fit", "prove", "prove-table", "calm", "calm-default", "masking",
-                             "masking-cost"})
+      ->check(CLI::IsMember({"worth", "measures", "fit", "best", "prove", "prove-table", "calm", "calm-default",
+                             "masking", "masking-cost"})
                   .description(""))
-      ->type_name("worth|measures|fit|prove|prove-table|calm|calm-default|masking|masking-cost");
+      ->type_name("worth|measures|fit|best|prove|prove-table|calm|calm-default|masking|masking-cost");
   app.add_option("scene", arguments.scene, "Baked glTF or GLB file")->required()->type_name("SCENE");
   app.add_option("views", arguments.views, "Frames or points")->type_name("VIEW");
   app.add_option("--only", arguments.only, "prove: leave out the other part [both]")
@@ -99,6 +103,8 @@ void measure(const Arguments& arguments, const LoadedScene& scene, const std::st
   const LvView view{scene.whole, scene.name, text};
   if (arguments.what == "fit") {
     measureFit(view, figures);
+  } else if (arguments.what == "best") {
+    measureBest(view, figures);
   } else if (arguments.proves()) {
     const std::size_t first = figures["rows"].size();
     measureProve(view, scene.divided,
@@ -157,6 +163,7 @@ void measureAll(const Arguments& arguments, nlohmann::ordered_json& figures) {
   } else {
     figures = nlohmann::ordered_json::array();
   }
+  if (arguments.what == "best") printBestHead();
   auto scene = std::make_unique<LoadedScene>(arguments.scene, arguments.proves());
   for (const std::string& view : arguments.views) {
     if (arguments.takesScenes() && (view.ends_with(".glb") || view.ends_with(".gltf")))

@@ -68,6 +68,12 @@ void measureFit(const LvView& view, nlohmann::ordered_json& figures);
 /// Prints the rows of measureFit: one per variant, with the geometric means over all views.
 void printFit(const nlohmann::ordered_json& figures);
 
+/// Triangles of the rule `price` and of the best choice of one level per object, at equal error over those of kUniform,
+/// at one camera. Prints a row and adds it.
+void measureBest(const LvView& view, nlohmann::ordered_json& figures);
+/// Prints the head of the table that measureBest prints rows of.
+void printBestHead();
+
 /// LOD switches on a path of 0.25 degrees per frame and under jitter, and the change that one switch makes. Prints a
 /// table and adds its rows. @param calmOnly  only temporally stable configurations
 void measureCalm(const LvView& view, bool calmOnly, nlohmann::ordered_json& figures);
