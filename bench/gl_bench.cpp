@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench_head.h"
+#include "cli/force_option.h"
 #include "cli/program.h"
 #include "core/error.h"
 #include "core/output_files.h"
@@ -48,13 +49,14 @@ GlBench::GlBench(const char* name, const char* description, const char* examples
   app_.get_formatter()->column_width(32);
   app_.add_option("--json", json_, "Write head and figures as JSON to this file; - for standard output, after the text")
       ->type_name("FILE");
+  cli::addForceOption(app_, replace_);
   app_.footer(std::string(examples) + "\nExit code 1: a result is wrong.");
 }
 
 int GlBench::run(int argc, char** argv, const std::function<void(nlohmann::ordered_json& figures)>& body) {
   return cli::runProgram(name_.c_str(), [&] {
     if (!cli::parse(app_, argc, argv)) return 0;
-    checkOutputs(std::vector<NamedFile>{{"--json", json_, true}}, {});
+    checkOutputs(std::vector<NamedFile>{{"--json", json_, OutputKind::kReport, true}}, {}, replace_);
     const platform::HeadlessContext context(/*debug=*/false);
     Head head = makeHead(name_, std::vector<std::string>(argv + 1, argv + argc));
     head.renderer = context.capabilities().renderer;

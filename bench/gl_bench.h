@@ -7,6 +7,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "core/output_files.h"
+
 namespace jalousie::render {
 struct FrameStatistics;
 }
@@ -42,6 +44,7 @@ class GlBench {
   std::string name_;
   CLI::App app_;
   std::filesystem::path json_;  ///< empty: none
+  Replace replace_ = Replace::kSameKind;
 };
 
 }  // namespace jalousie::bench

@@ -20,7 +20,8 @@ using namespace jalousie;
 
 void inspect(const bake::CommandLine& command) {
   const std::filesystem::path file = command.inputs.front();
-  checkOutputs(std::vector<NamedFile>{{"--sheet", command.sheet}}, std::vector{file});
+  checkOutputs(std::vector<NamedFile>{{"--sheet", command.sheet, OutputKind::kPage}}, std::vector{file},
+               command.replace);
   const tinygltf::Model model = asset::loadGltf(file, command.bake.limits);
   const std::vector<bake::InspectedChain> chains = bake::inspectModel(model);
   if (!command.sheet.empty()) {

@@ -63,8 +63,9 @@ void scatterFile(const scatter::Options& options) {
 int run(int argc, char** argv) {
   const std::optional<scatter::Options> options = scatter::parseCommandLine(argc, argv);
   if (!options) return 0;
-  checkOutputs(std::vector<NamedFile>{{"-o", options->output}, {"--json", options->report, true}},
-               std::vector{options->input});
+  checkOutputs(std::vector<NamedFile>{{"-o", options->output, OutputKind::kScene},
+                                      {"--json", options->report, OutputKind::kReport, true}},
+               std::vector{options->input}, options->replace);
   cli::withFile(options->input, [&] { scatterFile(*options); });
   return 0;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
@@ -188,6 +189,7 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   const CLI::Option* cover = addOccluderOptions(app, given);
   app.add_option("--json", options.report, "Write counts, sizes and bounds of the scene as JSON; - for standard output")
       ->type_name("REPORT");
+  cli::addForceOption(app, options.replace);
   cli::addMemoryOption(app, options.memory);
   app.add_flag("-q,--quiet", options.quiet, "Print no progress and no summary");
   if (!cli::parse(app, argc, argv)) return std::nullopt;

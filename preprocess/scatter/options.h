@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/memory_limit.h"
+#include "core/output_files.h"
 
 namespace jalousie::scatter {
 
@@ -51,6 +52,7 @@ struct Options {
   Layout layout;
   std::optional<Occluder> occluder;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
+  Replace replace = Replace::kSameKind;
   bool quiet = false;
 };
 

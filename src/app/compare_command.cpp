@@ -202,7 +202,7 @@ compare::Scenes scenesOf(const asset::SceneFile& file, const scene::SceneData& p
 }
 
 int compareScene(const CompareOptions& options) {
-  compare::ReportFolder folder(options.output);
+  compare::ReportFolder folder(options.output, options.resume || options.replace == Replace::kAnything);
   Setup setup;
   setUp(options, setup);
   const bool pictures = options.reference != "none";

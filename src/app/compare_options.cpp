@@ -113,7 +113,11 @@ void addPictureOptions(CLI::App& command, CompareOptions& o) {
 }
 
 void addRunOptions(CLI::App& command, CompareOptions& o) {
-  command.add_flag("--resume", o.resume, "Continue the interrupted report in REPORT");
+  auto* const resume = command.add_flag("--resume", o.resume, "Continue the interrupted report in REPORT");
+  command
+      .add_flag_callback(
+          "--force", [&o] { o.replace = Replace::kAnything; }, "Replace the report in REPORT")
+      ->excludes(resume);
   command.add_option("--json", o.json, "Print summary.json on standard output as well")
       ->check(CLI::IsMember({"-"}).description(""))
       ->type_name("-");

@@ -9,6 +9,7 @@
 #include "app/configurations.h"
 #include "compare/plan.h"
 #include "core/memory_limit.h"
+#include "core/output_files.h"
 
 namespace CLI {
 class App;
@@ -35,6 +36,7 @@ struct CompareOptions {
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
   bool butteraugli = false;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
+  Replace replace = Replace::kSameKind;
   bool resume = false;
   bool quiet = false;
   bool debug = false;   ///< use an OpenGL debug context; its messages set the exit code

@@ -13,6 +13,7 @@
 #include "app/command_memory.h"
 #include "app/number_option.h"
 #include "asset/image_io.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "compare/butteraugli.h"
@@ -163,6 +164,7 @@ void addDiffOptions(CLI::App& command, DiffOptions& o) {
   addNumber(command, "--ppd", o.pixelsPerDegree, {compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree},
             "Resolution at the viewing distance that FLIP assumes; 67.02 is that of a 4K monitor, 0.7 m wide, seen "
             "from 0.7 m; pixels per degree of visual angle");
+  cli::addForceOption(command, o.replace);
   cli::addMemoryOption(command, o.memory);
   command.footer(R"(The alpha channel is ignored.
 Examples:
@@ -174,8 +176,9 @@ Examples:
 }
 
 void runDiff(const DiffOptions& options) {
-  checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
-               std::vector{options.reference, options.test});
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output, OutputKind::kPicture},
+                                      {"--json", options.json, OutputKind::kReport, true}},
+               std::vector{options.reference, options.test}, options.replace);
   cli::withFile(options.reference, [&] { diff(options); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "compare/image_error.h"
 #include "core/memory_limit.h"
+#include "core/output_files.h"
 
 namespace CLI {
 class App;
@@ -19,6 +20,7 @@ struct DiffOptions {
   std::filesystem::path output;  ///< of the error map; empty: none
   std::string json;              ///< file; "-": standard output; empty: none
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
+  Replace replace = Replace::kSameKind;
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
 };
 

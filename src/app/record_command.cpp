@@ -15,6 +15,7 @@
 #include "app/option_values.h"
 #include "asset/camera_write.h"
 #include "asset/gltf_file.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/check.h"
@@ -166,6 +167,7 @@ void addRecordOptions(CLI::App& command, RecordOptions& o) {
         "Distance of the orbit from the scene's centre; times the distance at which the whole scene is just in view");
   orbit("--frames", o.frames, {1, kMostFrames}, "Length of the orbit; frames");
   addNumber(command, "--fov", o.fovDegrees, {1, 170}, "Vertical field of view; degrees");
+  cli::addForceOption(command, o.replace);
   cli::addMemoryOption(command, o.memory);
   command.add_flag("-q,--quiet", o.quiet, "Print no summary");
   command.footer(R"(Examples:
@@ -180,7 +182,8 @@ Blender and other tools can read the file. Any glTF file with an animated camera
 }
 
 void runRecord(const RecordOptions& options) {
-  checkOutputs(std::vector<NamedFile>{{"-o", options.output}}, std::vector{options.scene});
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output, OutputKind::kCameraPath}}, std::vector{options.scene},
+               options.replace);
   if (!options.keys.empty() && options.orbitGiven)
     throw Error(ErrorCode::kUsage,
                 "--orbit, --elevation, --distance and --frames describe an orbit; they cannot be combined with --key");

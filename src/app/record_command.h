@@ -10,6 +10,7 @@
 #include "asset/scene_file.h"
 #include "core/aabb.h"
 #include "core/memory_limit.h"
+#include "core/output_files.h"
 #include "scene/camera.h"
 
 namespace CLI {
@@ -36,6 +37,7 @@ struct RecordOptions {
   float fovDegrees = 45.0F;
   bool quiet = false;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};
+  Replace replace = Replace::kSameKind;
   bool orbitGiven = false;  ///< some option of the orbit was given
 };
 

@@ -38,8 +38,9 @@ scene::SceneData loadScene(const RenderOptions& options) {
 }
 
 void render(const RenderOptions& options) {
-  checkOutputs(std::vector<NamedFile>{{"-o", options.output}, {"--json", options.json, true}},
-               std::vector{options.scene, options.path, options.importance});
+  checkOutputs(std::vector<NamedFile>{{"-o", options.output, OutputKind::kPicture},
+                                      {"--json", options.json, OutputKind::kReport, true}},
+               std::vector{options.scene, options.path, options.importance}, options.replace);
   scene::SceneData scene = loadScene(options);
   const RenderCameras cameras = renderCameras(options, scene, pathCameras(options, scene));
 

@@ -8,6 +8,7 @@
 #include "app/option_checks.h"
 #include "app/option_values.h"
 #include "app/render_option_table.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "core/error.h"
 #include "policy/table.h"
@@ -117,6 +118,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addMethodOptions(command, options);
   addPictureOptions(command, options);
   addOutputOptions(command, options);
+  cli::addForceOption(command, options.replace);
   cli::addMemoryOption(command, options.memory);
   command.footer(R"(Examples:
   jalousie render scene.glb -o frame.png

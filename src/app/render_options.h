@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/memory_limit.h"
+#include "core/output_files.h"
 #include "render/frame_options.h"
 #include "scene/cell_options.h"
 
@@ -40,6 +41,7 @@ struct RenderOptions {
   render::FrameOptions frameOptions;
   render::RendererOptions rendererOptions;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};  ///< of the whole command
+  Replace replace = Replace::kSameKind;                   ///< by output, json and the viewer's files
 
   /// Fills in what follows from other options and refuses contradictions. Errors: kUsage.
   /// Defined in render_command_line.cpp, which knows the table of options.

@@ -58,7 +58,8 @@ std::filesystem::path existingParent(std::filesystem::path folder) {
 
 }  // namespace
 
-ReportFolder::ReportFolder(std::filesystem::path path) : path_(std::move(path)) {
+ReportFolder::ReportFolder(std::filesystem::path path, bool mayHoldReport)
+    : path_(std::move(path)), mayHoldReport_(mayHoldReport) {
   std::error_code error;
   if (std::filesystem::exists(path_, error)) {
     lock();
@@ -77,6 +78,10 @@ void ReportFolder::lock() {
   if (error) throw Error(ErrorCode::kWriteFailed, error.message(), path_);
   if (!empty && !holdsLog(path_))
     throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", path_);
+  if (!empty && !mayHoldReport_)
+    throw Error(ErrorCode::kUsage, "holds a report; choose another folder, or add --force to replace it or --resume to "
+                                   "continue it",
+                path_);
   requireWritable(path_);
 }
 

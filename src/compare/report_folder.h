@@ -17,10 +17,11 @@ enum class Picture { kImage, kError, kLod };
 /// run ends, however it ends.
 class ReportFolder {
  public:
-  /// Checks the folder before the run's work: it may be missing, be empty or hold a report, which is replaced.
-  /// Errors: kUsage if it holds other files and no report; kWriteFailed if it cannot be created or written, or another
+  /// Checks the folder before the run's work: it may be missing or be empty.
+  /// @param mayHoldReport  it may also hold a report, which is replaced or continued
+  /// Errors: kUsage if it holds other files, or a report that must stay; kWriteFailed if it cannot be created or written, or another
   /// run is using it.
-  explicit ReportFolder(std::filesystem::path path);
+  ReportFolder(std::filesystem::path path, bool mayHoldReport);
   /// Creates it if it is missing, and removes unfinished files of killed runs. Errors: as the constructor.
   void create();
 
@@ -28,6 +29,7 @@ class ReportFolder {
   void lock();
 
   std::filesystem::path path_;
+  bool mayHoldReport_;
   std::optional<FolderLock> lock_;  ///< absent: the folder does not exist yet
 };
 

@@ -71,7 +71,20 @@ void checkWritable(const NamedFile& output) {
 
 }  // namespace
 
-void checkOutputs(std::span<const NamedFile> outputs, std::span<const fs::path> inputs) {
+void requireReplaceable(const NamedFile& output) {
+  std::error_code failed;
+  if (output.kind == OutputKind::kAny || !fs::is_regular_file(output.path, failed)) return;
+  if (fs::file_size(output.path, failed) == 0) return;
+  const OutputKind existing = kindOfFile(output.path);
+  if (existing == output.kind) return;
+  throw Error(ErrorCode::kUsage,
+              fmt::format("{} exists here and would be replaced by {} ({}); name another file, or add --force",
+                          existing == OutputKind::kAny ? "another kind of file" : nameOf(existing),
+                          nameOf(output.kind), output.option),
+              output.path);
+}
+
+void checkOutputs(std::span<const NamedFile> outputs, std::span<const fs::path> inputs, Replace replace) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const NamedFile& output = outputs[i];
     if (output.path.empty()) continue;
@@ -84,10 +97,12 @@ void checkOutputs(std::span<const NamedFile> outputs, std::span<const fs::path> 
         throw Error(ErrorCode::kUsage, fmt::format("{} and {} name the same file", other.option, output.option),
                     output.path);
     for (const fs::path& input : inputs)
-      if (!input.empty() && isSame(output, {"", input}))
+      if (!input.empty() && isSame(output, {.option = "", .path = input}))
         throw Error(ErrorCode::kUsage, fmt::format("{} names an input file; choose another output", output.option),
                     output.path);
-    if (!isStdout(output)) checkWritable(output);
+    if (isStdout(output)) continue;
+    checkWritable(output);
+    if (replace == Replace::kSameKind) requireReplaceable(output);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/output_kind.h"
+
 namespace jalousie {
 
 /// Name of standard output as the value of an option.
@@ -15,13 +17,23 @@ inline constexpr const char* kStandardOutput = "-";
 struct NamedFile {
   std::string option;          ///< "-o", for messages
   std::filesystem::path path;  ///< empty: the option is not given
-  bool mayBeStdout = false;    ///< "-" means standard output
+  OutputKind kind = OutputKind::kAny;  ///< what will be written; kAny: may replace anything
+  bool mayBeStdout = false;            ///< "-" means standard output
 };
 
+/// Whether an output may replace a file of another kind (--force).
+enum class Replace { kSameKind, kAnything };
+
 /// Checks output files before the work that fills them. Whether a disk is full shows only later.
-/// Errors: kUsage if two outputs are one file, if an output is also an input, or if "-" is given where standard output
-/// is not possible; kWriteFailed if an output is a folder, or its folder is missing or cannot be written.
-void checkOutputs(std::span<const NamedFile> outputs, std::span<const std::filesystem::path> inputs);
+/// Errors: kUsage if two outputs are one file, if an output is also an input, if it would replace a file of another
+/// kind, or if "-" is given where standard output is not possible; kWriteFailed if an output is a folder, or its folder
+/// is missing or cannot be written.
+void checkOutputs(std::span<const NamedFile> outputs, std::span<const std::filesystem::path> inputs,
+                  Replace replace = Replace::kSameKind);
+
+/// The part of checkOutputs that keeps files of another kind. An empty file, a device and a pipe can be written.
+/// Errors: kUsage.
+void requireReplaceable(const NamedFile& output);
 
 /// Writes text to a file as writeFileAtomic does, or to standard output if the path is "-". Errors: kWriteFailed.
 void writeText(const std::filesystem::path& path, std::string_view text);

@@ -85,7 +85,7 @@ TEST_F(RuntimeCorpus, Compare) {
   const std::string path = (folder / "path.glb").string();
   ASSERT_EQ(run(JALOUSIE_PROGRAM, {"record", valid->input.string(), "--frames", "3", "-o", path, "-q"}).exitCode, 0);
   const auto arguments = [&](const std::string& input) {
-    Arguments words = {"compare", input, "-o", output("report"), "-q", "--path", path, "--frames", "0:0:1"};
+    Arguments words = {"compare", input, "-o", output("report"), "--force", "-q", "--path", path, "--frames", "0:0:1"};
     for (const char* word : {"--size", "64x64", "--configs", "frustum", "--lead", "0", "--keep", "0"})
       words.emplace_back(word);
     return words;

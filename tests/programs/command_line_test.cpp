@@ -126,26 +126,62 @@ std::vector<BadOutput> badOutputs() {
       {{jalousie, {"compare", "none.glb", "-o", "ball.ply"}}, 8, "ball.ply: Not a directory"},
       {{jalousie, {"compare", "none.glb", "-o", "ball.ply/report"}}, 8, "ball.ply is not a folder"},
       {{jalousie, {"compare", "none.glb", "-o", "folder"}}, 2, "holds no report"},
+      {{jalousie, {"compare", "none.glb", "-o", "report"}}, 2, "holds a report"},
+      {{jalousie, {"render", "none.glb", "-o", "ball.ply"}}, 2, "another kind of file exists here"},
+      {{jalousie, {"render", "none.glb", "-o", "a.png", "--json", "ball.glb"}}, 2, "a glTF scene exists here"},
+      {{jalousie, {"view", "none.glb", "--screenshot", "path.glb"}}, 2, "a camera path exists here"},
+      {{jalousie, {"record", "none.glb", "-o", "scene.glb"}}, 2, "would be replaced by a camera path"},
+      {{jalousie, {"record", "none.glb", "-o", "scene.gltf"}}, 2, "a glTF scene exists here"},
+      {{jalousie, {"diff", "none.png", "none.png", "-o", "report.json"}}, 2, "a JSON report exists here"},
       {{bake, {"ball.ply", "-o", "no/a.glb"}}, 8, "the folder no does not exist"},
       {{bake, {"ball.ply", "-o", "a.glb", "--depfile", "no/a.d"}}, 8, "the folder no does not exist"},
       {{bake, {"ball.ply", "-o", "a.glb", "--json", "folder"}}, 8, "folder: is a folder"},
       {{bake, {"ball.ply", "-o", "outs/", "--json", "no/a.json"}}, 8, "the folder no does not exist"},
       {{bake, {"ball.glb", "-o", "ball.glb"}}, 2, "names an input file"},
+      {{bake, {"ball.ply", "-o", "path.glb"}}, 2, "a camera path exists here"},
+      {{bake, {"ball.ply", "-o", "a.glb", "--depfile", "report.json"}}, 2, "replaced by a file of make rules"},
+      {{bake, {"ball.ply", "-o", "taken/"}}, 2, "taken/ball.glb: another kind of file exists here"},
+      {{bake, {"inspect", "ball.glb", "--sheet", "scene.glb"}}, 2, "would be replaced by a page"},
       {{bake, {"ball.glb", "-o", "a.glb", "--sheet", "a.glb"}}, 2, "name the same file"},
       {{bake, {"ball.glb", "-o", "-", "--json", "-"}}, 2, "cannot go to standard output"},
       {{bake, {"inspect", "none.glb", "--sheet", "no/a.html"}}, 8, "the folder no does not exist"},
       {{bake, {"inspect", "ball.glb", "--sheet", "ball.glb"}}, 2, "names an input file"},
       {{scatter, {"none.glb", "--count", "2", "-o", "no/a.glb"}}, 8, "the folder no does not exist"},
       {{scatter, {"ball.glb", "--count", "2", "-o", "ball.glb"}}, 2, "names an input file"},
+      {{scatter, {"ball.glb", "--count", "2", "-o", "report.json"}}, 2, "would be replaced by a glTF scene"},
       {{scatter, {"ball.glb", "--count", "2", "-o", "a", "--json", "a"}}, 2, "name the same file"},
       {{scatter, {"ball.glb", "--count", "2", "-o", "-", "--json", "-"}}, 2, "cannot go to standard output"},
   };
+}
+
+TEST_F(CommandLineTest, OutputsReplaceFilesOfTheirKindAndOthersByForce) {
+  const Command record = {JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "path.glb", "-q"}};
+  EXPECT_EQ(run(record).exitCode, 0);
+  EXPECT_EQ(run(record).exitCode, 0) << "a camera path replaces a camera path";
+  std::ofstream(at("letter.txt")) << "dear reader";
+  Command bake = {JALOUSIE_BAKE_PROGRAM, {"ball.ply", "-o", "letter.txt", "--preset", "draft", "-q"}};
+  EXPECT_EQ(run(bake).exitCode, 2);
+  bake.arguments.push_back("--force");
+  EXPECT_EQ(run(bake).exitCode, 0);
+  bake.arguments.pop_back();
+  EXPECT_EQ(run(bake).exitCode, 0) << "a scene replaces a scene";
+  bake.arguments = {"ball.glb", "-o", "ball.glb", "--force"};
+  EXPECT_EQ(run(bake).exitCode, 2) << "an input is never replaced";
+  std::ofstream(at("empty")).close();
+  EXPECT_EQ(run({JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "empty", "-q"}}).exitCode, 0);
 }
 
 TEST_F(CommandLineTest, OutputsThatCannotBeWrittenAreRefusedFirst) {
   std::filesystem::create_directory(at("folder"));
   std::ofstream(at("folder/letter.txt")) << "dear reader";
   std::filesystem::create_symlink("scene.glb", at("link.glb"));
+  std::filesystem::create_directory(at("taken"));
+  std::ofstream(at("taken/ball.glb")) << "dear reader";
+  std::filesystem::create_directory(at("report"));
+  std::ofstream(at("report/run.jsonl")) << R"({"log": 1, "experiment": "0"})" << "\n";
+  std::ofstream(at("report.json")) << R"({"figures": []})";
+  std::ofstream(at("scene.gltf")) << R"({"meshes": [], "asset": {"version": "2.0"}})";
+  ASSERT_EQ(run({JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "path.glb", "-q"}}).exitCode, 0);
   const std::string scene = test::readText(at("scene.glb"));
   for (const BadOutput& bad : badOutputs()) {
     SCOPED_TRACE(bad.command.text());
@@ -155,6 +191,8 @@ TEST_F(CommandLineTest, OutputsThatCannotBeWrittenAreRefusedFirst) {
     EXPECT_NE(result.standardError.find(bad.reason), std::string::npos) << result.standardError;
   }
   EXPECT_EQ(test::readText(at("scene.glb")), scene);
+  EXPECT_EQ(test::readText(at("taken/ball.glb")), "dear reader");
+  EXPECT_EQ(test::readText(at("report.json")), R"({"figures": []})");
   EXPECT_FALSE(exists("a") || exists("a.glb") || exists("a.png") || exists("outs"));
 }
 

@@ -143,12 +143,19 @@ void tellOfOne(const CommandLine& command, const JobResult& result) {
 
 /// Checks what the run writes; jobsInto has compared the outputs of a batch with its inputs.
 void checkFiles(const CommandLine& command, const std::vector<BakeJob>& jobs) {
-  std::vector<NamedFile> outputs = {{"--json", command.json, true}, {"--depfile", command.depfile}};
+  std::vector<NamedFile> outputs = {{"--json", command.json, OutputKind::kReport, true},
+                                    {"--depfile", command.depfile, OutputKind::kRules}};
   std::vector<fs::path> inputs = {command.filesFrom};
   for (const BakeJob& job : jobs)
     inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
-  if (!isBatch(command)) outputs.insert(outputs.begin(), {{"-o", command.output}, {"--sheet", command.sheet}});
-  checkOutputs(outputs, inputs);
+  if (!isBatch(command))
+    outputs.insert(outputs.begin(), {{"-o", command.output, OutputKind::kScene}, {"--sheet", command.sheet, OutputKind::kPage}});
+  checkOutputs(outputs, inputs, command.replace);
+  if (!isBatch(command) || command.replace == Replace::kAnything) return;
+  for (const BakeJob& job : jobs) {
+    requireReplaceable({"-o", job.output, OutputKind::kScene});
+    requireReplaceable({"--sheet", job.sheet, OutputKind::kPage});
+  }
 }
 
 JobSettings settingsOf(const CommandLine& command) {

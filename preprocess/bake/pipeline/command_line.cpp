@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "bake/pipeline/build_identity.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
@@ -81,6 +82,7 @@ std::optional<CommandLine> parseInspect(int argc, const char* const* argv) {
   program.add_option("input", result.inputs, "Read this glTF or GLB file")->required()->expected(1)->type_name("FILE");
   program.add_flag("--json", json, "Print JSON instead of tables");
   program.add_option("--sheet", result.sheet, "Write a page with pictures of every level")->type_name("OUT.html");
+  cli::addForceOption(program, result.replace);
   program.add_flag("-q,--quiet", result.quiet, "Print no tables");
   program.footer(kInspectExamples);
   if (!cli::parse(program, argc, argv)) return std::nullopt;
@@ -118,6 +120,7 @@ void addFileOptions(CLI::App& program, CommandLine& result) {
       .add_option("--depfile", result.depfile,
                   "Write the files that the output depends on, as a rule for Make and Ninja")
       ->type_name("FILE");
+  cli::addForceOption(program, result.replace);
 }
 
 /// Threads, cache and limits.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bake/io/bake_options.h"
+#include "core/output_files.h"
 
 namespace jalousie::bake {
 
@@ -29,6 +30,7 @@ struct CommandLine {
   bool quantize = false;
   bool compress = false;
   bool quiet = false;
+  Replace replace = Replace::kSameKind;  ///< by the outputs, also those of a batch
   std::string chosen;  ///< the given options that change the bytes of the output, in a fixed order
   BakeOptions bake;
 };

@@ -28,7 +28,9 @@ platform::WindowOptions windowOptions(const ViewOptions& options) {
 void checkFiles(const ViewOptions& options) {
   std::vector<std::filesystem::path> inputs = options.files;
   inputs.insert(inputs.end(), {options.render.path, options.render.importance});
-  checkOutputs(std::vector<NamedFile>{{"--screenshot", options.screenshot}, {"--json", options.json, true}}, inputs);
+  checkOutputs(std::vector<NamedFile>{{"--screenshot", options.screenshot, OutputKind::kPicture},
+                                      {"--json", options.json, OutputKind::kReport, true}},
+               inputs, options.render.replace);
 }
 
 }  // namespace

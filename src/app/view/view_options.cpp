@@ -7,6 +7,7 @@
 #include "app/gl_debug.h"
 #include "app/option_checks.h"
 #include "app/render_command_line.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
@@ -86,6 +87,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   addPictureOptions(command, options.render);
   addWindowOptions(command, options);
   addScriptOptions(command, options);
+  cli::addForceOption(command, options.render.replace);
   cli::addMemoryOption(command, options.render.memory);
   command.footer(R"(Examples:
   jalousie view scene.glb
