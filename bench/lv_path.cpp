@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "compare/switches.h"
+#include "compare/frame_objects.h"
 #include "gl_bench.h"
 
 namespace jalousie::bench {
@@ -35,7 +35,7 @@ void walk(render::FrameRenderer& renderer, const render::FrameOptions& options, 
 }
 
 void SwitchTotals::add(render::FrameRenderer& renderer) {
-  const compare::Switches now = compare::countSwitches(renderer);
+  const compare::FrameObjects now = compare::countObjects(renderer);
   require(now.switched <= now.visible, "more objects have switched than are visible");
   switched += static_cast<double>(now.switched);
   visible += static_cast<double>(now.visible);

@@ -1,6 +1,6 @@
   vec3 positionWorld;
   vec3 normalWorld;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   flat vec3 tint;       // colour of a debug view, if one is on
   flat uint material;

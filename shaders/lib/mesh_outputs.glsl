@@ -1,5 +1,7 @@
 // Fills the fragment inputs from an object-space vertex; used by the plain vertex stage and by the patch stage.
 
+#include "lib/texture_coordinates.glsl"
+
 out Fragment {
 #include "lib/fragment_members.glsl"
 } fragment;
@@ -39,7 +41,7 @@ float fadeShare(uint entry, uint objectId) {
 struct MeshVertex {
   vec3 position;
   vec3 normal;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   uint material;
 };

@@ -12,13 +12,9 @@
 #include "lib/palette.glsl"
 #include "lib/draw_buffers.glsl"
 #include "lib/shading.glsl"
+#include "lib/vertex_attributes.glsl"
 #include "lib/mesh_outputs.glsl"
 
-layout(location = kAttributePosition) in vec3 position;
-layout(location = kAttributeNormal) in vec4 normal;
-layout(location = kAttributeUv) in vec2 uv;
-layout(location = kAttributeColor) in vec4 color;
-layout(location = kAttributeMaterial) in uint material;
 #include "lib/object_id.glsl"
 
-void main() { emitVertex(instanceEntry(), MeshVertex(position, normal.xyz, uv, color, material)); }
+void main() { emitVertex(instanceEntry(), MeshVertex(position, normal.xyz, textureCoordinates(), color, material)); }

@@ -4,13 +4,14 @@
 #include "shared/scene_structs.h"
 #include "shared/frame_structs.h"
 #include "lib/draw_buffers.glsl"
+#include "lib/texture_coordinates.glsl"
 
 layout(vertices = 3) out;
 
 in Corner {
   vec3 position;
   vec3 normal;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   flat uint material;
   flat uint objectId;
@@ -19,7 +20,7 @@ in Corner {
 out Control {
   vec3 position;
   vec3 normal;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   flat uint material;
   flat uint objectId;

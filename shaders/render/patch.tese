@@ -16,7 +16,7 @@ layout(triangles, equal_spacing, ccw) in;
 in Control {
   vec3 position;
   vec3 normal;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   flat uint material;
   flat uint objectId;

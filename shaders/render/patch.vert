@@ -6,17 +6,13 @@
 #include "shared/limits.h"
 #include "shared/frame_structs.h"
 
-layout(location = kAttributePosition) in vec3 position;
-layout(location = kAttributeNormal) in vec4 normal;
-layout(location = kAttributeUv) in vec2 uv;
-layout(location = kAttributeColor) in vec4 color;
-layout(location = kAttributeMaterial) in uint material;
+#include "lib/vertex_attributes.glsl"
 #include "lib/object_id.glsl"
 
 out Corner {
   vec3 position;
   vec3 normal;
-  vec2 uv;
+  TextureCoordinates uv;
   vec4 color;
   flat uint material;
   flat uint objectId;
@@ -25,7 +21,7 @@ out Corner {
 void main() {
   corner.position = position;
   corner.normal = normal.xyz;
-  corner.uv = uv;
+  corner.uv = textureCoordinates();
   corner.color = color;
   corner.material = material;
   corner.objectId = instanceEntry() & kInstanceObject;

@@ -227,6 +227,7 @@ const uint kAttributeUv = 2u;
 const uint kAttributeColor = 3u;
 const uint kAttributeMaterial = 4u;
 const uint kAttributeObject = 5u;
+const uint kAttributeUv1 = 6u;  // of scenes with JAL_FULL_MATERIALS
 
 JAL_SHARED_END
 

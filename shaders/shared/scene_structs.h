@@ -82,15 +82,44 @@ const uint kMaterialMask = 1u;   // discard below the cutoff
 const uint kMaterialBlend = 2u;  // ordered dither by alpha; never occludes
 const uint kMaterialDoubleSided = 4u;
 const uint kMaterialTextured = 8u;
+const uint kMaterialEmissionTextured = 16u;
+const uint kMaterialNormalTextured = 32u;
+const uint kMaterialUnlit = 64u;
+
+// Bits of TextureUse.sampling.
+const uint kSamplingClampU = 1u;
+const uint kSamplingMirrorU = 2u;
+const uint kSamplingClampV = 4u;
+const uint kSamplingMirrorV = 8u;
+const uint kSamplingMagnifyNearest = 16u;
+const uint kSamplingMinifyNearest = 32u;
+const uint kSamplingMipNearest = 64u;
+const uint kSamplingMipNone = 128u;
+const uint kSamplingSecondUv = 256u;
+const uint kSamplingWidthShift = 16u;   // logarithm of the width of the layer, 5 bits
+const uint kSamplingHeightShift = 24u;  // and of its height
+
+/// A picture on a surface.
+struct TextureUse {
+  vec4 uvAxes;    // what u (xy) and v (zw) become
+  vec2 uvOffset;  // added to them
+  uint place;     // bits 0-15: layer of its array texture; bits 16-31: which array texture, below kTextureClasses
+  uint sampling;  // kSampling...
+};
+JAL_ASSERT_SIZE(TextureUse, 32)
 
 struct Material {
   vec4 baseColor;  // linear RGB, alpha
-  uint layer;      // of the base colour array texture, with kMaterialTextured
+  vec4 emission;   // linear RGB; w: scale of x and y of the normals of a texture
   uint flags;      // kMaterial...
   float alphaCutoff;
-  uint textureClass;  // which array texture, below kTextureClasses
+  uint reserved0;
+  uint reserved1;
+  TextureUse base;  // with kMaterialTextured
+  TextureUse emissive;
+  TextureUse normals;
 };
-JAL_ASSERT_SIZE(Material, 32)
+JAL_ASSERT_SIZE(Material, 144)
 
 /// The layout glMultiDrawElementsIndirect reads.
 struct DrawCommand {

@@ -1,4 +1,4 @@
-// Lets the structs of this folder compile as C++20 and as GLSL 4.50. Only uint, int, float, vec4 and mat4 are used,
+// Lets the structs of this folder compile as C++20 and as GLSL 4.50. Only uint, int, float, vec2, vec4 and mat4 are used,
 // with explicit reserved words, so that std430, std140 and C++ lay them out alike; a test compares them with the
 // linked programs.
 #ifndef JALOUSIE_SHARED_TYPES_H
@@ -12,6 +12,7 @@
 
 namespace jalousie::gpu {
 using uint = std::uint32_t;
+using vec2 = glm::vec2;
 using vec4 = glm::vec4;
 using mat4 = glm::mat4;
 }  // namespace jalousie::gpu

@@ -46,9 +46,10 @@ MemoryEstimate rendererNeeds(const asset::SceneSize& size, const RenderOptions& 
 }  // namespace
 
 asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
-                            const asset::ReadObserver& observer) {
-  return asset::readSceneFile(file, {}, observer,
-                              [&](const asset::SceneSize& size) { needs(size).require(limit, file); });
+                            const SceneRequest& request) {
+  return asset::readSceneFile(file, {}, request.observer,
+                              {.check = [&](const asset::SceneSize& size) { needs(size).require(limit, file); },
+                               .seconds = request.seconds});
 }
 
 MemoryEstimate maskNeeds(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/render_options.h"
@@ -16,10 +17,16 @@ namespace jalousie::app {
 /// Estimated peak of a command, from the size of its scene.
 using Needs = std::function<MemoryEstimate(const asset::SceneSize& size)>;
 
+/// What else is asked of a scene.
+struct SceneRequest {
+  asset::ReadObserver observer = {};
+  std::optional<double> seconds = std::nullopt;  ///< time of its animations; absent: the pose without
+};
+
 /// Reads a scene if the command's needs are within the limit. Errors: kLimit, before the scene is read; as
 /// readSceneFile.
 asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
-                            const asset::ReadObserver& observer = {});
+                            const SceneRequest& request = {});
 
 /// A mask of --importance: its file, the decoded picture, the mask and its texture. Nothing without a file.
 /// Errors: as imageSize, for the file.

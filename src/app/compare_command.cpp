@@ -12,6 +12,7 @@
 
 #include "app/command_memory.h"
 #include "app/gl_debug.h"
+#include "app/path_camera.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -67,17 +68,12 @@ void setUp(const CompareOptions& options, Setup& setup) {
   }
 }
 
-asset::Camera chooseCamera(const std::vector<asset::Camera>& cameras, const std::string& which,
-                           const std::filesystem::path& file) {
+/// The chosen camera. Errors: kUsage if there is none.
+asset::Camera chosen(const std::vector<asset::Camera>& cameras, const std::string& which,
+                     const std::filesystem::path& file) {
   if (cameras.empty())
     throw Error(ErrorCode::kUsage, "has no camera; give --path, or create a path with `jalousie record`", file);
-  if (which.empty()) return cameras.front();
-  std::string names;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    if (which == cameras[i].name || which == std::to_string(i)) return cameras[i];
-    names += fmt::format("{}{} {}", i > 0 ? ", " : "", i, cameras[i].name);
-  }
-  throw Error(ErrorCode::kUsage, fmt::format("has no camera \"{}\"; its cameras are {}", which, names), file);
+  return chosenFirst(cameras, which, file).front();
 }
 
 compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path) {
@@ -155,8 +151,8 @@ nlohmann::ordered_json writeReport(const CompareOptions& options, const compare:
 }
 
 asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile) {
-  if (options.path.empty()) return chooseCamera(sceneFile.cameras, options.camera, options.scene);
-  return chooseCamera(readWithin(options.path, options.memory, readingNeeds).cameras, options.camera, options.path);
+  if (options.path.empty()) return chosen(sceneFile.cameras, options.camera, options.scene);
+  return chosen(readWithin(options.path, options.memory, readingNeeds).cameras, options.camera, options.path);
 }
 
 void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) {
@@ -167,6 +163,7 @@ void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) 
 
 void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes,
           const gl::Capabilities& capabilities) {
+  warnIgnored(options.scene, scenes.plain.ignored);
   if (scenes.plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
   for (std::size_t i = 0; i < setup.configurations.size(); ++i) {
     if (!setup.configurations[i].build.patches) continue;
@@ -215,7 +212,8 @@ int compareScene(const CompareOptions& options) {
                                   .width = options.width,
                                   .height = options.height};
   const asset::SceneFile file = readWithin(
-      options.scene, options.memory, [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); });
+      options.scene, options.memory, [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); },
+      {.observer = {}, .seconds = options.time});
   const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);
@@ -226,6 +224,7 @@ int compareScene(const CompareOptions& options) {
   const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
   if (!options.quiet) warn(options, setup, scenes, context.capabilities());
+  if (!options.quiet && scene::frameCount(path) == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   folder.create();
   const DeferredInterruptions deferred;
@@ -238,7 +237,7 @@ int compareScene(const CompareOptions& options) {
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,
                   {options.scene.filename().string(), options.path.filename().string(), plan.renderer,
-                   plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION});
+                   plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION, plain.ignored});
   if (options.json == kStandardOutput)
     printOutput(jsonText(summary));
   else if (!options.quiet)

@@ -8,6 +8,7 @@
 
 #include "app/number_option.h"
 #include "app/option_values.h"
+#include "app/path_camera.h"
 #include "app/render_command_line.h"
 #include "cli/memory_option.h"
 #include "compare/report_folder.h"
@@ -58,7 +59,8 @@ void addSceneOptions(CLI::App& command, CompareOptions& o) {
       ->type_name("REPORT");
   command.add_option("--path", o.path, "Follow the camera animation of this glTF or GLB file [the scene's own]")
       ->type_name("PATH.glb");
-  command.add_option("--camera", o.camera, "Follow the camera with this name or number [0]")->type_name("NAME|NUMBER");
+  addCameraOption(command, o.camera);
+  addTimeOption(command, o.time);
 }
 
 void addConfigurationOptions(CLI::App& command, CompareOptions& o) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace jalousie::app {
 struct CompareOptions {
   std::filesystem::path scene;
   std::filesystem::path path;  ///< glTF with the camera path; empty: the scene's own
+  std::optional<double> time;  ///< of the scene's animations, seconds; absent: the pose without them
   std::string camera;          ///< its name or number; empty: the first one
   std::filesystem::path output;
   std::string json;  ///< "-": print summary.json on standard output as well; empty: do not

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -70,14 +71,27 @@ void add(std::vector<ConfigurationText>& chosen, const std::string& name) {
   if (!twice) chosen.push_back({known->name, known->options});
 }
 
+/// Refuses members with other names: a mistyped one would be taken for an absent one.
+void requireKeys(const nlohmann::json& object, std::initializer_list<std::string_view> known,
+                 const std::filesystem::path& file) {
+  if (!object.is_object()) return;  // the reader says what it expects
+  for (const auto& [key, value] : object.items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw Error(ErrorCode::kMalformed,
+                  fmt::format("\"{}\" is unknown; expected \"{}\"", oneLine(key), fmt::join(known, "\", \"")), file);
+}
+
 std::vector<ConfigurationText> readConfigurations(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = readFile(file, kMaxFileBytes);
   std::vector<ConfigurationText> result;
   try {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const nlohmann::json root = nlohmann::json::parse(text);
-    for (const nlohmann::json& entry : root.at("configurations"))
+    requireKeys(root, {"configurations"}, file);
+    for (const nlohmann::json& entry : root.at("configurations")) {
+      requireKeys(entry, {"name", "options"}, file);
       result.push_back({entry.at("name").get<std::string>(), entry.value("options", std::string())});
+    }
   } catch (const nlohmann::json::exception& error) {
     throw Error(
         ErrorCode::kMalformed,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/command_memory.h"
+#include "app/path_camera.h"
 #include "core/error.h"
 
 namespace jalousie::app {
@@ -28,10 +29,10 @@ scene::Camera drawCamera(const RenderOptions& options, const scene::SceneData& s
 }  // namespace
 
 std::vector<asset::Camera> pathCameras(const RenderOptions& options, const scene::SceneData& scene) {
-  if (options.path.empty()) return scene.cameras;
+  if (options.path.empty()) return chosenFirst(scene.cameras, options.camera, options.scene);
   std::vector<asset::Camera> cameras = readWithin(options.path, options.memory, readingNeeds).cameras;
   if (cameras.empty()) throw Error(ErrorCode::kUsage, "holds no camera", options.path);
-  return cameras;
+  return chosenFirst(std::move(cameras), options.camera, options.path);
 }
 
 RenderCameras renderCameras(const RenderOptions& options, const scene::SceneData& scene,

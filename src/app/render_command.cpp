@@ -33,7 +33,8 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 /// The file itself is gone afterwards.
 scene::SceneData loadScene(const RenderOptions& options) {
   const asset::SceneFile file = readWithin(options.scene, options.memory,
-                                           [&](const asset::SceneSize& size) { return renderNeeds(size, options); });
+                                           [&](const asset::SceneSize& size) { return renderNeeds(size, options); },
+                                           {.observer = {}, .seconds = options.time});
   return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches, .cells = options.cells});
 }
 
@@ -53,11 +54,13 @@ void render(const RenderOptions& options) {
   rendererOptions.memory = options.memory;
   render::FrameRenderer renderer(scene, options.width, options.height, rendererOptions);
   scene.textures.images = {};  // uploaded
-  const RenderReport report = [&] {
+  RenderReport report = [&] {
     Progress progress("rendering", captureFrames(options), options.quiet);
     return captureFrame(options, renderer, context.capabilities(), cameras,
                         [&](std::uint32_t frame) { progress.update(frame); });
   }();
+  report.ignored = scene.ignored;
+  if (!options.quiet) warnIgnored(options.scene, scene.ignored);
   if (rowOf(options.frameOptions.detail).patches)
     warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
   if (report.statistics.dropped > 0)

@@ -7,6 +7,7 @@
 
 #include "app/option_checks.h"
 #include "app/option_values.h"
+#include "app/path_camera.h"
 #include "app/render_option_table.h"
 #include "cli/force_option.h"
 #include "cli/memory_option.h"
@@ -37,6 +38,7 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
 void checkCamera(const RenderOptions& o) {
   if (o.eye.has_value() != o.look.has_value()) refuse("--eye and --look go together");
   if (o.eye && o.frame) refuse("choose either --frame or --eye and --look");
+  if (o.eye && !o.camera.empty()) refuse("choose either --camera or --eye and --look");
   if (o.freezeEye.has_value() != o.freezeLook.has_value()) refuse("--freeze-eye and --freeze-look go together");
   if (o.freezeEye && o.freezeFrame) refuse("choose either --freeze-frame or --freeze-eye and --freeze-look");
 }
@@ -70,6 +72,8 @@ void checkOutput(const RenderOptions& o) {
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--path", options.path, "Take the camera path from this glTF file [the scene's own]")
       ->type_name("PATH.glb");
+  addCameraOption(command, options.camera);
+  addTimeOption(command, options.time);
   const CLI::Validator notNegative = inRange(0.0, 1e9).description("");
   command.add_option("--frame", options.frame, "Render this frame of the camera path (30 frames per second)")
       ->check(notNegative)

@@ -17,9 +17,11 @@ namespace jalousie::app {
 
 struct RenderOptions {
   std::filesystem::path scene;
+  std::string camera;            ///< its name or number in the file of the path; empty: the first one
   std::filesystem::path path;    ///< file whose camera path counts; empty: the scene's own
   std::filesystem::path output;  ///< empty only with statsOnly
   std::filesystem::path json;    ///< empty: none; "-": standard output
+  std::optional<double> time;    ///< of the scene's animations, seconds; absent: the pose without them
   std::optional<float> frame;    ///< of the scene's camera path
   std::optional<glm::vec3> eye;  ///< world; with look
   std::optional<glm::vec3> look;

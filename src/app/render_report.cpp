@@ -64,6 +64,7 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
+  json["ignored"] = nlohmann::ordered_json(report.ignored);
   json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
   for (const auto& [name, ms] : report.times.passes)

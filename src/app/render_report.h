@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/render_options.h"
+#include "asset/scene_types.h"
 #include "render/frame_statistics.h"
 
 namespace jalousie::app {
@@ -23,6 +24,7 @@ struct RenderReport {
   bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
+  asset::ContentCounts ignored;       ///< what the scene's file holds that is not drawn
   std::uint32_t maxTessellation = 0;  ///< finest level in use; drivers can force a lower one than the option asks for
 };
 

@@ -3,16 +3,29 @@
 
 #include <fmt/format.h>
 
+#include "asset/ignored_content.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
 #include "render/tessellation_limit.h"
 
 namespace jalousie::app {
 
+void warnIgnored(const std::filesystem::path& file, const asset::ContentCounts& ignored) {
+  if (ignored.empty()) return;
+  printError(fmt::format("jalousie: warning: {}: not drawn: {}", oneLine(file.string()),
+                         oneLine(asset::toText(ignored))));
+}
+
 void warnUnmeasuredLevels(const std::filesystem::path& file) {
   printError(fmt::format(
       "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; bake the file with "
       "jalousie-bake",
+      oneLine(file.string())));
+}
+
+void warnSingleFrame(const std::filesystem::path& file) {
+  printError(fmt::format(
+      "jalousie: warning: {}: the camera does not move, so one frame is measured; `jalousie record` makes a path",
       oneLine(file.string())));
 }
 

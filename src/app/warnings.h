@@ -9,7 +9,13 @@
 
 namespace jalousie::app {
 
+/// Says what of a file is not drawn; nothing if everything is.
+void warnIgnored(const std::filesystem::path& file, const asset::ContentCounts& ignored);
+
 void warnUnmeasuredLevels(const std::filesystem::path& file);
+
+/// Says that a camera does not move.
+void warnSingleFrame(const std::filesystem::path& file);
 
 /// Warns if the renderer cannot draw the level asked for. @param scene  with patches
 void warnTessellationLimit(const std::filesystem::path& file, const scene::SceneData& scene,

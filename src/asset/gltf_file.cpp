@@ -112,6 +112,16 @@ std::vector<unsigned char> loadBuffer(const json& buffer, std::size_t index, con
   return data;
 }
 
+/// The bytes of a picture; none if its file is missing, because not every program needs every picture.
+std::vector<unsigned char> pictureBytes(const std::string& uri, detail::ResourceLoader& loader) {
+  try {
+    return loader.load(uri);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kFileNotFound) return {};
+    throw;
+  }
+}
+
 /// Image properties that tinygltf would act on; bytes only for images with a URI.
 tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::ResourceLoader& loader,
                                 const Path& file) {
@@ -123,8 +133,8 @@ tinygltf::Image loadImageSource(const json& source, std::size_t index, detail::R
   if (source.contains("mimeType") && source["mimeType"].is_string()) image.mimeType = source["mimeType"];
   if (hasView) image.bufferView = static_cast<int>(detail::unsignedMember(source, "bufferView", 0, file));
   if (uri) {
-    image.image = loader.load(*uri);
     if (!uri->starts_with("data:")) image.uri = *uri;
+    image.image = pictureBytes(*uri, loader);
   }
   return image;
 }
@@ -166,6 +176,7 @@ void fillImages(tinygltf::Model& model, const detail::Resources& resources, deta
     tinygltf::Image& image = model.images[i];
     image.bufferView = resources.images[i].bufferView;
     if (image.bufferView >= 0) image.image = loader.copy(detail::viewBytes(model, image.bufferView), false);
+    if (image.image.empty() && !image.uri.empty()) continue;  // missing
     if (image.mimeType.empty()) image.mimeType = imageMimeType(std::as_bytes(std::span(image.image)));
     const std::string_view foreign = detail::foreignMimeType(std::as_bytes(std::span(image.image)));
     if (!foreign.empty()) {

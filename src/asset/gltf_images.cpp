@@ -25,7 +25,10 @@ class ImageCheck {
     for (const tinygltf::Texture& texture : model_.textures)
       if (texture.source >= 0) drawn.insert(static_cast<std::size_t>(texture.source));
     for (std::size_t i = 0; i < model_.images.size(); ++i)
-      detail::useImage(model_, i, [&](std::span<const std::byte> bytes) { check(bytes, drawn.contains(i)); });
+      detail::useImage(model_, i, [&](std::span<const std::byte> bytes) {
+        if (bytes.empty()) throw Error(ErrorCode::kFileNotFound, "no such file");
+        check(bytes, drawn.contains(i));
+      });
   }
 
  private:

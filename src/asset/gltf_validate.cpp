@@ -249,13 +249,12 @@ void validateHierarchy(const Model& model, const std::vector<std::uint8_t>& isCh
   if (reached != model.nodes.size()) malformed("the node hierarchy has a cycle");
 }
 
-/// Scenes list roots, each once.
-void validateScenes(const Model& model, const std::vector<std::uint8_t>& isChild) {
+/// Scenes list nodes, each once. Some exporters list children of other nodes, too.
+void validateScenes(const Model& model) {
   std::vector<std::size_t> lastListed(model.nodes.size(), 0);  // 1 + the last scene that lists a node
   for (std::size_t s = 0; s < model.scenes.size(); ++s) {
     for (const int root : model.scenes[s].nodes) {
       requireIndex(root, model.nodes.size(), "scene node");
-      if (isChild[static_cast<std::size_t>(root)] != 0) malformed(fmt::format("scene node {} is no root", root));
       std::size_t& last = lastListed[static_cast<std::size_t>(root)];
       if (last == s + 1) malformed(fmt::format("scene lists node {} twice", root));
       last = s + 1;
@@ -317,7 +316,7 @@ void validateModel(const Model& model, const Limits& limits) {
   validateLevels(model, cells);
   const std::vector<std::uint8_t> isChild = markChildren(model);
   validateHierarchy(model, isChild);
-  validateScenes(model, isChild);
+  validateScenes(model);
   validateCameras(model);
   validateAnimations(model);
   validateSkins(model);

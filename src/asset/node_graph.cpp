@@ -37,9 +37,29 @@ bool isFinite(const glm::dmat4& transform) {
   return true;
 }
 
+namespace {
+
+/// The nodes that a scene lists, without those that lie below others of them.
+std::vector<int> withoutDescendants(const tinygltf::Model& model, const tinygltf::Scene& scene) {
+  std::vector<int> stack = scene.nodes;
+  std::vector<std::uint8_t> isBelow(model.nodes.size(), 0);
+  while (!stack.empty()) {
+    const int node = stack.back();
+    stack.pop_back();
+    for (const int child : model.nodes[static_cast<std::size_t>(node)].children)
+      if (isBelow[static_cast<std::size_t>(child)]++ == 0) stack.push_back(child);
+  }
+  std::vector<int> roots = scene.nodes;
+  std::erase_if(roots, [&](int root) { return isBelow[static_cast<std::size_t>(root)] != 0; });
+  return roots;
+}
+
+}  // namespace
+
 std::vector<int> sceneRoots(const tinygltf::Model& model) {
   if (!model.scenes.empty())
-    return model.scenes[static_cast<std::size_t>(model.defaultScene >= 0 ? model.defaultScene : 0)].nodes;
+    return withoutDescendants(model,
+                              model.scenes[static_cast<std::size_t>(model.defaultScene >= 0 ? model.defaultScene : 0)]);
   std::vector<std::uint8_t> excluded(model.nodes.size(), 0);
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     for (const int child : model.nodes[i].children)

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "asset/accessor.h"
 #include "asset/camera_validate.h"
+#include "asset/node_graph.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -33,15 +35,6 @@ void doubleKeys(std::vector<float>& times, std::vector<Value>& values) {
   }
 }
 
-/// CUBICSPLINE stores in-tangent, value, out-tangent per key; the values stay.
-template <class Value>
-std::vector<Value> middleOfThree(const std::vector<Value>& values) {
-  std::vector<Value> result;
-  for (std::size_t i = 1; i < values.size(); i += 3)
-    result.push_back(values[i]);
-  return result;
-}
-
 void checkTimes(const std::vector<float>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
@@ -49,7 +42,7 @@ void checkTimes(const std::vector<float>& times) {
   }
 }
 
-std::vector<glm::vec3> readTranslations(const tinygltf::Model& model, int accessor, std::uint64_t maxElements, bool) {
+std::vector<glm::vec3> readTranslations(const tinygltf::Model& model, int accessor, std::uint64_t maxElements) {
   std::vector<glm::vec3> values = readVec3(model, accessor, maxElements);
   for (const glm::vec3& v : values) {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) malformed("animation is not finite");
@@ -57,23 +50,37 @@ std::vector<glm::vec3> readTranslations(const tinygltf::Model& model, int access
   return values;
 }
 
-/// Tangents of a spline are no rotations: they may be zero, so they must not be normalised.
-std::vector<glm::quat> readRotations(const tinygltf::Model& model, int accessor, std::uint64_t maxElements,
-                                     bool cubic) {
-  if (!cubic) return readQuaternions(model, accessor, maxElements);
-  std::vector<glm::quat> values;
-  for (const glm::vec4& v : readVec4(model, accessor, maxElements)) {
-    const float length = glm::length(v);
-    const bool usable = std::isfinite(length) && length > 0.0F;
-    const glm::vec4 unit = usable ? v / length : glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
-    values.emplace_back(unit.w, unit.x, unit.y, unit.z);
-  }
-  return values;
+/// Whether a transform turns and moves, and does nothing else.
+bool isRigid(const glm::dmat4& transform) {
+  constexpr double kTolerance = 1e-5;
+  const glm::dmat3 axes(transform);
+  const glm::dmat3 product = glm::transpose(axes) * axes;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (!(std::abs(product[i][k] - (i == k ? 1.0 : 0.0)) <= kTolerance)) return false;
+  return glm::determinant(axes) > 0.0;
+}
+
+/// The transform without scale, shear and mirroring: the view direction stays, and the plane of the upward axis.
+glm::dmat4 rigid(const glm::dmat4& transform) {
+  const glm::dvec3 back(transform[2]);
+  const glm::dvec3 upward(transform[1]);
+  const glm::dvec3 z = back / glm::length(back);
+  const glm::dvec3 across = upward - z * glm::dot(z, upward);
+  const glm::dvec3 y = across / glm::length(across);
+  const glm::dvec3 x = glm::cross(y, z);
+  glm::dmat4 result(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), transform[3]);
+  if (!isFinite(result)) malformed("a camera's transform has no inverse");
+  return result;
 }
 
 }  // namespace
 
-CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits) : model_(model), limits_(limits) {
+CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits)
+    : model_(model), limits_(limits), motion_(model, limits), parents_(model.nodes.size(), -1) {
+  for (std::size_t node = 0; node < model.nodes.size(); ++node)
+    for (const int child : model.nodes[node].children)
+      parents_[static_cast<std::size_t>(child)] = static_cast<int>(node);
   for (const tinygltf::Animation& animation : model.animations)
     for (const tinygltf::AnimationChannel& channel : animation.channels)
       channels_[channel.target_node].emplace_back(&animation, &channel);
@@ -88,9 +95,7 @@ const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table, co
   const std::uint64_t maxElements = limits_.maxAccessorElements;
   std::vector<float> times = readScalars(model_, sampler.input, maxElements);
   checkTimes(times);
-  const bool cubic = sampler.interpolation == "CUBICSPLINE";
-  std::vector<Value> values = read(model_, sampler.output, maxElements, cubic);
-  if (cubic) values = middleOfThree(values);
+  std::vector<Value> values = read(model_, sampler.output, maxElements);
   if (times.size() != values.size()) malformed("animation has different numbers of times and values");
   if (sampler.interpolation == "STEP") doubleKeys(times, values);
   keys = {std::move(times), std::move(values)};
@@ -109,11 +114,60 @@ CameraTrack CameraReader::trackOf(int node) {
       track.translationTimes = keys.times;
       track.translations = keys.values;
     } else if (channel->target_path == "rotation" && track.rotations.empty()) {
-      const Keys<glm::quat>& keys = keysOf(rotations_, sampler, readRotations);
+      const Keys<glm::quat>& keys = keysOf(rotations_, sampler, readQuaternions);
       track.rotationTimes = keys.times;
       track.rotations = keys.values;
     }
   }
+  return track;
+}
+
+bool CameraReader::hasPlainTrack(int node, const glm::dmat4& worldFromParent) const {
+  if (motion_.moves(node, "scale") || !isRigid(worldFromParent)) return false;
+  for (int above = parents_[static_cast<std::size_t>(node)]; above >= 0;
+       above = parents_[static_cast<std::size_t>(above)])
+    if (motion_.moves(above)) return false;
+  const auto found = channels_.find(node);
+  if (found == channels_.end()) return true;
+  return std::none_of(found->second.begin(), found->second.end(), [](const auto& entry) {
+    return entry.first->samplers[static_cast<std::size_t>(entry.second->sampler)].interpolation == "CUBICSPLINE";
+  });
+}
+
+glm::dmat4 CameraReader::poseAt(int node, double seconds) {
+  glm::dmat4 world(1.0);
+  for (int at = node; at >= 0; at = parents_[static_cast<std::size_t>(at)])
+    world = motion_.transformAt(at, seconds) * world;
+  return rigid(world);
+}
+
+CameraTrack CameraReader::sampledTrack(int node) {
+  constexpr std::uint64_t kMostFrames = 1ULL << 20U;  // of all cameras: 36 MB
+  float last = 0.0F;
+  for (int at = node; at >= 0; at = parents_[static_cast<std::size_t>(at)])
+    last = std::max(last, motion_.lastKey(at));
+  CameraTrack track;
+  if (!(last > 0.0F)) return track;
+  const double frames = std::ceil(static_cast<double>(last) * kSampleRate);
+  if (!(frames < static_cast<double>(kMostFrames - sampledFrames_)))
+    throw Error(ErrorCode::kLimit, fmt::format("the cameras' paths have more than {} frames", kMostFrames));
+  sampledFrames_ += static_cast<std::uint64_t>(frames) + 1;
+  std::vector<float> times;
+  std::vector<glm::vec3> translations;
+  std::vector<glm::quat> rotations;
+  for (std::uint64_t frame = 0; frame <= static_cast<std::uint64_t>(frames); ++frame) {
+    const double seconds = static_cast<double>(frame) / kSampleRate;
+    const glm::dmat4 pose = poseAt(node, seconds);
+    times.push_back(static_cast<float>(seconds));
+    translations.emplace_back(pose[3]);
+    rotations.emplace_back(glm::quat_cast(glm::dmat3(pose)));
+    if (rotations.size() > 1 && glm::dot(rotations.back(), rotations[rotations.size() - 2]) < 0.0F)
+      rotations.back() = -rotations.back();
+  }
+  track.translationTimes = times;
+  track.rotationTimes = std::move(times);
+  track.translations = std::move(translations);
+  track.rotations = std::move(rotations);
   return track;
 }
 
@@ -129,9 +183,13 @@ std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromPa
   camera.fovY = static_cast<float>(lens.yfov);
   camera.zNear = static_cast<float>(lens.znear);
   if (lens.zfar > 0.0) camera.zFar = static_cast<float>(lens.zfar);
-  camera.worldFromCamera = glm::mat4(worldFromNode);
-  camera.worldFromParent = glm::mat4(worldFromParent);
-  camera.track = trackOf(node);
+  camera.worldFromCamera = glm::mat4(isRigid(worldFromNode) ? worldFromNode : rigid(worldFromNode));
+  if (hasPlainTrack(node, worldFromParent)) {
+    camera.worldFromParent = glm::mat4(worldFromParent);
+    camera.track = trackOf(node);
+  } else {
+    camera.track = sampledTrack(node);
+  }
   return camera;
 }
 

@@ -11,12 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include "asset/node_motion.h"
 #include "asset/read_limits.h"
 #include "asset/scene_types.h"
 
 namespace jalousie::asset::detail {
 
+/// Frames per second of evaluated poses: those of camera paths (scene::kPathRate).
+inline constexpr double kSampleRate = 30.0;
+
 /// Reads the cameras of one document. Keys that several cameras use are read once and shared.
+///
+/// A track has the keys of the camera's node where these say all: LINEAR or STEP keys of translation and rotation, and
+/// no node above it that moves, scales or mirrors. Else the pose in the world is evaluated at every frame of
+/// kSampleRate, without scale and mirroring.
 class CameraReader {
  public:
   /// Keeps references; both must outlive the reader.
@@ -36,6 +44,10 @@ class CameraReader {
   using KeyTable = std::map<std::tuple<int, int, std::string>, Keys<Value>>;
 
   CameraTrack trackOf(int node);
+  bool hasPlainTrack(int node, const glm::dmat4& worldFromParent) const;
+  /// Rigid pose of a camera at a time. Errors: kMalformed (a transform without an inverse).
+  glm::dmat4 poseAt(int node, double seconds);
+  CameraTrack sampledTrack(int node);
   template <class Value, class Read>
   const Keys<Value>& keysOf(KeyTable<Value>& table, const tinygltf::AnimationSampler& sampler, const Read& read);
 
@@ -43,6 +55,9 @@ class CameraReader {
   const Limits& limits_;
   /// Channels of all animations by the node that they move, in the document's order.
   std::map<int, std::vector<std::pair<const tinygltf::Animation*, const tinygltf::AnimationChannel*>>> channels_;
+  NodeMotion motion_;
+  std::vector<int> parents_;        ///< of each node; -1: none
+  std::uint64_t sampledFrames_ = 0;  ///< of all cameras
   KeyTable<glm::vec3> positions_;
   KeyTable<glm::quat> rotations_;
 };

@@ -10,24 +10,21 @@
 
 #include "asset/gltf_file.h"
 #include "asset/gltf_images.h"
+#include "asset/ignored_content.h"
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
 #include "asset/scene_camera.h"
+#include "asset/scene_material.h"
 #include "asset/scene_mesh.h"
+#include "asset/scene_pose.h"
 #include "core/error.h"
 
 namespace jalousie::asset {
 namespace {
 
 using tinygltf::Model;
-
-AlphaMode alphaMode(const std::string& name) {
-  if (name == "MASK") return AlphaMode::kMask;
-  if (name == "BLEND") return AlphaMode::kBlend;
-  return AlphaMode::kOpaque;
-}
 
 /// Primitives may share their accessors, and each is read for itself: what they may ask for follows the file's size.
 std::uint64_t demandLimit(const Model& model, const Limits& limits) {
@@ -48,8 +45,13 @@ enum class Keep { kAll, kNothing };
 
 class SceneReader {
  public:
-  SceneReader(const Model& model, const Limits& limits, Keep keep)
-      : model_(model), limits_(limits), keep_(keep), budget_{demandLimit(model, limits)}, cameras_(model, limits) {}
+  SceneReader(const Model& model, const Limits& limits, Keep keep, std::optional<double> seconds)
+      : model_(model),
+        limits_(limits),
+        keep_(keep),
+        budget_{demandLimit(model, limits)},
+        cameras_(model, limits),
+        pose_(model, limits, seconds) {}
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
@@ -65,7 +67,7 @@ class SceneReader {
       const Visit visit = stack.back();
       stack.pop_back();
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
-      const glm::dmat4 worldFromNode = visit.worldFromParent * localTransform(node);
+      const glm::dmat4 worldFromNode = visit.worldFromParent * pose_.localTransform(visit.node);
       readNode(visit, worldFromNode);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, worldFromNode});
@@ -75,38 +77,25 @@ class SceneReader {
 
  private:
   void readMaterials() {
-    for (const tinygltf::Material& source : model_.materials) {
-      Material material;
-      material.name = source.name;
-      const std::vector<double>& factor = source.pbrMetallicRoughness.baseColorFactor;
-      for (int i = 0; i < 4 && factor.size() == 4; ++i)
-        material.baseColor[i] = static_cast<float>(factor[static_cast<std::size_t>(i)]);
-      material.image = baseColorImage(source.pbrMetallicRoughness.baseColorTexture);
-      material.alphaMode = alphaMode(source.alphaMode);
-      material.alphaCutoff = static_cast<float>(source.alphaCutoff);
-      material.doubleSided = source.doubleSided;
-      scene_.materials.push_back(std::move(material));
-    }
+    for (const tinygltf::Material& source : model_.materials)
+      scene_.materials.push_back(detail::readMaterial(
+          model_, source, [&](const detail::TextureReference& reference) { return imageIndex(reference); }));
     scene_.materials.emplace_back();
     scene_.materials.back().name = "default";
   }
 
   /// Decodes an image at its first use.
-  std::optional<std::uint32_t> baseColorImage(const tinygltf::TextureInfo& texture) {
-    if (texture.index < 0 || texture.texCoord != 0 || keep_ == Keep::kNothing) return std::nullopt;
-    const int source = detail::imageOfTexture(model_.textures[static_cast<std::size_t>(texture.index)]);
-    if (source < 0) return std::nullopt;
-    const auto known = imageIndex_.find(source);
-    if (known != imageIndex_.end()) return known->second;
-
+  std::uint32_t imageIndex(const detail::TextureReference& reference) {
+    if (keep_ == Keep::kNothing) return 0;
+    const auto [place, isNew] = imageIndex_.try_emplace({reference.image, reference.isData},
+                                                        static_cast<std::uint32_t>(scene_.images.size()));
+    if (!isNew) return place->second;
     ImageRgba8 decoded =
-        detail::useImage(model_, static_cast<std::size_t>(source),
+        detail::useImage(model_, static_cast<std::size_t>(reference.image),
                          [&](std::span<const std::byte> bytes) { return decodeImage(bytes, limits_.images); });
     takePixels(decoded);
-    const auto index = static_cast<std::uint32_t>(scene_.images.size());
     scene_.images.edit().push_back(std::move(decoded));
-    imageIndex_.emplace(source, index);
-    return index;
+    return place->second;
   }
 
   void takePixels(const ImageRgba8& image) {
@@ -124,15 +113,26 @@ class SceneReader {
     }
     if (node.mesh < 0) return;
     const std::optional<std::uint32_t> chain = chainOf(visit.node);
-    if (chain) addInstances(visit.node, *chain, worldFromNode);
+    // The vertices of a skin are placed in the world by its joints; the node's own transform has no effect.
+    if (chain) addInstances(visit.node, *chain, node.skin >= 0 ? glm::dmat4(1.0) : worldFromNode);
+  }
+
+  /// A mesh as a node shows it: alike for all nodes that do not bend it.
+  struct ShownMesh {
+    int mesh;
+    int posedNode;  ///< the node whose pose it has; -1: none
+
+    auto operator<=>(const ShownMesh&) const = default;
+  };
+  ShownMesh shownMesh(int node) const {
+    return {model_.nodes[static_cast<std::size_t>(node)].mesh, detail::isPosed(model_, node) ? node : -1};
   }
 
   /// Index of the node's chain, made if new; nullopt if LOD 0 has no triangles.
   std::optional<std::uint32_t> chainOf(int node) {
-    const std::vector<int> lowerNodes = lodNodes(model_, node);
-    std::vector<int> key = {model_.nodes[static_cast<std::size_t>(node)].mesh};
-    for (const int lower : lowerNodes)
-      key.push_back(model_.nodes[static_cast<std::size_t>(lower)].mesh);
+    std::vector<ShownMesh> key = {shownMesh(node)};
+    for (const int lower : lodNodes(model_, node))
+      key.push_back(shownMesh(lower));
     const auto known = chainIndex_.find(key);
     if (known != chainIndex_.end()) return known->second;
 
@@ -153,33 +153,34 @@ class SceneReader {
   }
 
   /// A chain ends at its first level without triangles.
-  Chain makeChain(const std::vector<int>& meshes) {
+  Chain makeChain(const std::vector<ShownMesh>& meshes) {
     Chain chain;
-    for (const int mesh : meshes) {
-      const std::optional<std::uint32_t> index = meshIndex(mesh);
+    for (const ShownMesh& shown : meshes) {
+      const std::optional<std::uint32_t> index = meshIndex(shown);
       if (!index) break;
       LodLevel level{*index, 0.0F};
       if (!chain.levels.empty()) {
-        const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(mesh)]);
-        level.errorObject = info ? static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
-        if (info && info->measures) level.meanErrorObject = static_cast<float>(info->measures->twoSided.mean);
+        const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(shown.mesh)]);
+        const auto scale = static_cast<float>(shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode).largestScale() : 1.0);
+        level.errorObject = info ? scale * static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
+        if (info && info->measures) level.meanErrorObject = scale * static_cast<float>(info->measures->twoSided.mean);
       }
       chain.levels.push_back(level);
     }
     return chain;
   }
 
-  std::optional<std::uint32_t> meshIndex(int mesh) {
-    const auto known = meshIndex_.find(mesh);
+  std::optional<std::uint32_t> meshIndex(const ShownMesh& shown) {
+    const auto known = meshIndex_.find(shown);
     if (known != meshIndex_.end()) return known->second;
-    const auto defaultMaterial = static_cast<std::uint32_t>(scene_.materials.size() - 1);
-    Mesh read = detail::readMesh(model_, mesh, defaultMaterial, budget_, scene_.skippedPrimitives);
+    const detail::MeshPose pose = shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode) : detail::MeshPose{};
+    Mesh read = detail::readMesh(model_, shown.mesh, {scene_.materials, budget_, pose});
     std::optional<std::uint32_t> index;
     if (!read.primitives.empty()) {
       index = static_cast<std::uint32_t>(scene_.meshes.size());
       scene_.meshes.push_back(std::move(read));
     }
-    meshIndex_.emplace(mesh, index);
+    meshIndex_.emplace(shown, index);
     return index;
   }
 
@@ -204,21 +205,24 @@ class SceneReader {
   Keep keep_;
   detail::ElementBudget budget_;
   detail::CameraReader cameras_;
+  detail::ScenePose pose_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
-  std::map<int, std::uint32_t> imageIndex_;
-  std::map<int, std::optional<std::uint32_t>> meshIndex_;
-  std::map<std::vector<int>, std::optional<std::uint32_t>> chainIndex_;
+  std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
+  std::map<ShownMesh, std::optional<std::uint32_t>> meshIndex_;
+  std::map<std::vector<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
 };
 
 SceneFile read(const Model& model, const std::filesystem::path& path, const Limits& limits, Keep keep,
-               const SizeCheck& check) {
+               const SceneReading& reading) {
   try {
     const SceneSize size = measureScene(model, limits);
     if (size.instances > limits.maxInstances)
       throw Error(ErrorCode::kLimit, fmt::format("{} instances, the limit is {}", size.instances, limits.maxInstances));
-    if (check) check(size);
-    return SceneReader(model, limits, keep).read(size);
+    if (reading.check) reading.check(size);
+    SceneFile scene = SceneReader(model, limits, keep, reading.seconds).read(size);
+    scene.ignored = ignoredContent(model, reading.seconds.has_value());
+    return scene;
   } catch (const Error& error) {
     if (!error.file().empty()) throw;
     throw Error(error.code(), error.what(), path);
@@ -230,13 +234,13 @@ SceneFile read(const Model& model, const std::filesystem::path& path, const Limi
 }  // namespace
 
 SceneFile readSceneFile(const std::filesystem::path& path, const Limits& limits, const ReadObserver& observer,
-                        const SizeCheck& check) {
-  return readScene(loadGltf(path, limits, observer), path, limits, check);
+                        const SceneReading& reading) {
+  return readScene(loadGltf(path, limits, observer), path, limits, reading);
 }
 
 SceneFile readScene(const Model& model, const std::filesystem::path& path, const Limits& limits,
-                    const SizeCheck& check) {
-  return read(model, path, limits, Keep::kAll, check);
+                    const SceneReading& reading) {
+  return read(model, path, limits, Keep::kAll, reading);
 }
 
 void checkScene(const Model& model, const std::filesystem::path& path, const Limits& limits) {

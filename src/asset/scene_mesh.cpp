@@ -106,6 +106,7 @@ void makeFlat(Primitive& primitive) {
     flat.positions.push_back(primitive.positions[index]);
     flat.uvs.push_back(primitive.uvs[index]);
     flat.colors.push_back(primitive.colors[index]);
+    if (!primitive.uvs1.empty()) flat.uvs1.push_back(primitive.uvs1[index]);
   }
   for (std::size_t i = 0; i < flat.positions.size(); i += 3) {
     const glm::vec3 edge1 = flat.positions[i + 1] - flat.positions[i];
@@ -115,27 +116,35 @@ void makeFlat(Primitive& primitive) {
   primitive = std::move(flat);
 }
 
-Primitive readPrimitive(Source source, std::uint32_t defaultMaterial, ElementBudget& budget) {
+Primitive readPrimitive(Source source, const MeshContext& context) {
+  ElementBudget& budget = context.budget;
   const int position = source.accessor("POSITION");
   source.vertexCount = source.count(position);
   budget.take(source.vertexCount);
   if (source.vertexCount > 0xFFFFFFFFULL) throw Error(ErrorCode::kLimit, "more than 2^32 vertices");
 
   Primitive primitive;
-  primitive.material =
-      source.primitive.material >= 0 ? static_cast<std::uint32_t>(source.primitive.material) : defaultMaterial;
+  primitive.material = static_cast<std::uint32_t>(
+      source.primitive.material >= 0 ? static_cast<std::size_t>(source.primitive.material)
+                                     : context.materials.size() - 1);
   primitive.indices = readTriangles(source, budget);
   if (primitive.indices.empty()) return primitive;
   const bool flat = source.accessor("NORMAL") < 0;
   if (flat) budget.take(primitive.indices.size());
   primitive.positions = attribute<glm::vec3>(source, "POSITION", {}, readVec3);
   primitive.uvs = attribute<glm::vec2>(source, "TEXCOORD_0", glm::vec2(0.0F), readVec2);
+  if (usesSecondUvs(context.materials[primitive.material]))
+    primitive.uvs1 = attribute<glm::vec2>(source, "TEXCOORD_1", glm::vec2(0.0F), readVec2);
   primitive.colors = attribute<glm::vec4>(source, "COLOR_0", glm::vec4(1.0F), readVec4);
+  if (!flat) primitive.normals = attribute<glm::vec3>(source, "NORMAL", {}, readVec3);
+  if (!context.pose.isRest()) {
+    applyPose(source.model, source.primitive, context.pose, budget, {primitive.positions, primitive.normals});
+    requireFinite(primitive.positions, source.mesh, "a pose is not finite");
+  }
   if (flat) {
     makeFlat(primitive);
     return primitive;
   }
-  primitive.normals = attribute<glm::vec3>(source, "NORMAL", {}, readVec3);
   for (glm::vec3& normal : primitive.normals)
     normal = unitOr(normal, glm::vec3(0.0F, 0.0F, 1.0F));
   return primitive;
@@ -158,20 +167,15 @@ void ElementBudget::take(std::uint64_t elements) {
   left -= elements;
 }
 
-Mesh readMesh(const tinygltf::Model& model, int mesh, std::uint32_t defaultMaterial, ElementBudget& budget,
-              std::uint32_t& skipped) {
+Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context) {
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(mesh)];
   Mesh result;
   result.name = source.name;
   const CellTriangles cells = lodCells(model, source);
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
-    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-      ++skipped;
-      continue;
-    }
-    if (!primitive.attributes.contains("POSITION")) continue;
-    Primitive read = readPrimitive({model, primitive, mesh}, defaultMaterial, budget);
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES || !primitive.attributes.contains("POSITION")) continue;
+    Primitive read = readPrimitive({model, primitive, mesh}, context);
     if (read.indices.empty()) continue;
     if (!cells.empty()) read.cellEnds = cellEnds(cells[p]);
     result.primitives.push_back(std::move(read));

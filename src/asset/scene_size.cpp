@@ -9,12 +9,15 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "asset/gltf_images.h"
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/mesh_pose.h"
 #include "asset/node_graph.h"
+#include "asset/scene_material.h"
 #include "core/memory_estimate.h"
 
 namespace jalousie::asset {
@@ -46,6 +49,7 @@ class Counter {
       stack.insert(stack.end(), children.begin(), children.end());
     }
     size_.cameraKeys = cameraKeys();
+    if (hasSecondUvs_) size_.secondUvs = size_.vertices;
     return std::move(size_);
   }
 
@@ -53,15 +57,17 @@ class Counter {
   std::uint64_t elements(int accessor) const { return model_.accessors[static_cast<std::size_t>(accessor)].count; }
 
   void countImages() {
-    std::set<int> known;
+    std::set<std::pair<int, bool>> known;
     for (const tinygltf::Material& material : model_.materials) {
-      const tinygltf::TextureInfo& texture = material.pbrMetallicRoughness.baseColorTexture;
-      if (texture.index < 0 || texture.texCoord != 0) continue;
-      const int source = detail::imageOfTexture(model_.textures[static_cast<std::size_t>(texture.index)]);
-      if (source < 0 || !known.insert(source).second) continue;
-      size_.images.push_back(
-          detail::useImage(model_, static_cast<std::size_t>(source),
-                           [&](std::span<const std::byte> bytes) { return imageSize(bytes, limits_.images); }));
+      const detail::MaterialTextures textures = detail::texturesOf(model_, material);
+      for (const auto& reference : {textures.base, textures.emission, textures.normals}) {
+        if (!reference) continue;
+        hasSecondUvs_ = hasSecondUvs_ || reference->use.uvSet == 1;
+        if (!known.emplace(reference->image, reference->isData).second) continue;
+        size_.images.push_back(
+            detail::useImage(model_, static_cast<std::size_t>(reference->image),
+                             [&](std::span<const std::byte> bytes) { return imageSize(bytes, limits_.images); }));
+      }
     }
   }
 
@@ -75,18 +81,24 @@ class Counter {
     countChain(node);
     const std::uint64_t instances = std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
     size_.instances += instances;
-    const auto finest = meshes_.find(source.mesh);
+    const auto finest = meshes_.find(shownMesh(node));
     size_.finestTriangles += saturatingProduct(instances, finest->second.indices / 3);
+  }
+
+  /// A mesh and the node that bends it; -1: none.
+  using ShownMesh = std::pair<int, int>;
+  ShownMesh shownMesh(int node) const {
+    return {model_.nodes[static_cast<std::size_t>(node)].mesh, detail::isPosed(model_, node) ? node : -1};
   }
 
   /// Chains of equal meshes are one.
   void countChain(int node) {
-    std::vector<int> key = {model_.nodes[static_cast<std::size_t>(node)].mesh};
+    std::vector<ShownMesh> key = {shownMesh(node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(model_.nodes[static_cast<std::size_t>(lower)].mesh);
-    const int finest = key.front();
+      key.push_back(shownMesh(lower));
+    const ShownMesh finest = key.front();
     MeshSize coarsest;
-    for (const int mesh : key)
+    for (const ShownMesh& mesh : key)
       coarsest = countMesh(mesh);
     const std::size_t levels = key.size();
     if (!chains_.insert(std::move(key)).second) return;
@@ -98,11 +110,11 @@ class Counter {
     size_.coarsestIndices += coarsest.indices;
   }
 
-  MeshSize countMesh(int mesh) {
+  MeshSize countMesh(const ShownMesh& mesh) {
     const auto known = meshes_.find(mesh);
     if (known != meshes_.end()) return known->second;
     MeshSize size;
-    const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh)];
+    const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh.first)];
     const std::size_t cells = cellCount(lodCells(model_, source));
     for (const tinygltf::Primitive& primitive : source.primitives) {
       const auto position = primitive.attributes.find("POSITION");
@@ -138,8 +150,9 @@ class Counter {
   const Model& model_;
   const Limits& limits_;
   SceneSize size_;
-  std::map<int, MeshSize> meshes_;
-  std::set<std::vector<int>> chains_;
+  bool hasSecondUvs_ = false;
+  std::map<ShownMesh, MeshSize> meshes_;
+  std::set<std::vector<ShownMesh>> chains_;
   std::set<int> cameraNodes_;
 };
 

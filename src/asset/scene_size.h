@@ -18,6 +18,7 @@ struct SceneSize {
   std::uint64_t documentBytes = 0;  ///< of the loaded document's buffers and encoded images
   std::uint64_t instances = 0;
   std::uint64_t vertices = 0;  ///< of all meshes, each once; an own one per corner where a primitive has no normals
+  std::uint64_t secondUvs = 0;  ///< vertices, if some texture is read by TEXCOORD_1
   std::uint64_t indices = 0;
   std::uint64_t cellEnds = 0;  ///< of all primitives
   std::uint64_t chains = 0;
@@ -31,7 +32,7 @@ struct SceneSize {
   std::uint64_t cellLevels = 0;        ///< of all chains of cells
   std::uint64_t cameras = 0;
   std::uint64_t cameraKeys = 0;   ///< keys that cameras share count once
-  std::vector<ImageSize> images;  ///< base colour textures, in the order of SceneFile::images
+  std::vector<ImageSize> images;  ///< textures, in the order of SceneFile::images
 };
 
 /// Counts what readScene would read, without reading it, and no cells: time and memory follow the size of the JSON.

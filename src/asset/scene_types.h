@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,22 +16,65 @@ namespace jalousie::asset {
 
 enum class AlphaMode : std::uint32_t { kOpaque = 0, kMask = 1, kBlend = 2 };
 
+/// What lies beyond the borders of a texture.
+enum class Wrap : std::uint32_t { kRepeat = 0, kClamp = 1, kMirror = 2 };
+/// Which mip levels a texture is read from.
+enum class Mip : std::uint32_t { kLinear = 0, kNearest = 1, kNone = 2 };
+
+/// How texels are read.
+struct Sampling {
+  Wrap wrapU = Wrap::kRepeat;
+  Wrap wrapV = Wrap::kRepeat;
+  bool magnifyNearest = false;
+  bool minifyNearest = false;  ///< within one mip level
+  Mip mip = Mip::kLinear;
+
+  friend bool operator==(const Sampling&, const Sampling&) = default;
+};
+
+/// A picture on a surface.
+struct TextureUse {
+  std::uint32_t image = 0;  ///< index into SceneFile::images
+  std::uint32_t uvSet = 0;  ///< 0: TEXCOORD_0, 1: TEXCOORD_1
+  Sampling sampling;
+  glm::vec4 uvAxes{1.0F, 0.0F, 0.0F, 1.0F};  ///< what u (xy) and v (zw) become
+  glm::vec2 uvOffset{0.0F};                  ///< added to them
+
+  /// Whether it is read as a texture without a sampler and without KHR_texture_transform, by TEXCOORD_0.
+  bool isPlain() const {
+    return uvSet == 0 && sampling == Sampling{} && uvAxes == glm::vec4(1.0F, 0.0F, 0.0F, 1.0F) &&
+           uvOffset == glm::vec2(0.0F);
+  }
+};
+
 struct Material {
   std::string name;
-  glm::vec4 baseColor{1.0F};           ///< linear RGB, alpha
-  std::optional<std::uint32_t> image;  ///< base colour texture (sRGB), index into SceneFile::images; TEXCOORD_0 only
+  glm::vec4 baseColor{1.0F};                  ///< linear RGB, alpha
+  std::optional<TextureUse> baseTexture;      ///< sRGB
+  glm::vec3 emission{0.0F};                   ///< linear RGB, times KHR_materials_emissive_strength
+  std::optional<TextureUse> emissiveTexture;  ///< sRGB
+  std::optional<TextureUse> normalTexture;    ///< tangent space, +y towards falling v
+  float normalScale = 1.0F;                   ///< of x and y of the texture's normals
+  bool isUnlit = false;                       ///< the base colour is what is seen
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5F;
   bool doubleSided = false;
 };
 
-/// Triangles of one material. All attribute vectors have positions.size() elements; indices are in range, three per
-/// triangle. Triangle strips and fans are converted; points and lines are skipped (SceneFile::skippedPrimitives).
+/// Whether a material reads TEXCOORD_1.
+inline bool usesSecondUvs(const Material& material) {
+  const auto uses = [](const std::optional<TextureUse>& texture) { return texture && texture->uvSet == 1; };
+  return uses(material.baseTexture) || uses(material.emissiveTexture) || uses(material.normalTexture);
+}
+
+/// Triangles of one material. Attribute vectors have positions.size() elements; indices are in range, three per
+/// triangle. Triangle strips and fans are converted; points and lines are left out.
 struct Primitive {
   std::vector<glm::vec3> positions;  ///< object space
   /// Unit. If the file has none, one normal per face, as glTF requires; the vertices are then not shared.
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;     ///< TEXCOORD_0; zeros if absent
+  std::vector<glm::vec2> uvs1;    ///< TEXCOORD_1; empty, and no other size, where the material does not use it
   std::vector<glm::vec4> colors;  ///< COLOR_0, linear; ones if absent
   std::vector<std::uint32_t> indices;
   std::uint32_t material = 0;  ///< index into SceneFile::materials; the last one is glTF's default material
@@ -82,14 +126,17 @@ struct Camera {
   glm::mat4 worldFromParent{1.0F};  ///< apply to the track's poses
 };
 
+/// Numbers of things by their names.
+using ContentCounts = std::map<std::string, std::uint64_t>;
+
 struct SceneFile {
-  SharedVector<ImageRgba8> images;  ///< copies of a scene share them
+  SharedVector<ImageRgba8> images;  ///< copies of a scene share them; colours and normals never share a picture
   std::vector<Material> materials;  ///< never empty
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;
   std::vector<Instance> instances;      ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
   std::vector<Camera> cameras;          ///< perspective cameras in the scene, in order of traversal
-  std::uint32_t skippedPrimitives = 0;  ///< points and lines
+  ContentCounts ignored;            ///< what the document holds that is not drawn
 };
 
 }  // namespace jalousie::asset

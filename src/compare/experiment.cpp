@@ -12,8 +12,8 @@
 #include "compare/configuration.h"
 #include "compare/experiment_log.h"
 #include "compare/fingerprint.h"
+#include "compare/frame_objects.h"
 #include "compare/report_folder.h"
-#include "compare/switches.h"
 #include "core/check.h"
 #include "core/error.h"
 #include "render/frame_renderer.h"
@@ -179,7 +179,7 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
   const bool pictures = plan.reference != Reference::kNone;
   if (isContinuous()) catchUp(frame);
   std::vector<Sample> samples(count);
-  std::vector<ImageRgba8> images(count);
+  std::vector<Shown> shown(count);
   const bool hasPredecessor = isContinuous() ? frame > plan.range.first : std::min(frame, plan.lead) > 0;
   const std::size_t offset = (frame - plan.range.first) / plan.range.step;
   for (std::size_t turn = 0; turn < count; ++turn) {
@@ -190,23 +190,26 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
     if (!isContinuous()) approach(renderer(c), options, frame);
     samples[c] = measure(c, options, frame);
     if (!pictures) continue;
-    images[c] = renderer(c).readImage();
-    const Switches switches = countSwitches(renderer(c));
-    samples[c].visible = switches.visible;
-    if (hasPredecessor) samples[c].switched = switches.switched;
+    shown[c].image = renderer(c).readImage();
+    FrameObjects objects = countObjects(renderer(c));
+    samples[c].visible = objects.visible;
+    if (hasPredecessor) samples[c].switched = objects.switched;
+    samples[c].lost = objects.lost;
+    samples[c].wrongPixels = objects.wrongPixels;
+    shown[c].covered = std::move(objects.covered);
   }
-  if (pictures) addErrors(samples, images);
+  if (pictures) addErrors(samples, shown);
   return samples;
 }
 
-/// Fills the errors of one frame's samples. @param images  their pictures, [configurations]
-void Experiment::addErrors(std::vector<Sample>& samples, const std::vector<ImageRgba8>& images) {
+/// Fills the errors of one frame's samples. @param shown  their pictures, [configurations]
+void Experiment::addErrors(std::vector<Sample>& samples, const std::vector<Shown>& shown) {
   const std::uint32_t frame = samples.front().frame;
   const bool follows = isContinuous() && frame > inputs_.plan.range.first;
   const std::vector<float> motion = follows ? reference_.motion(frame - 1, frame) : std::vector<float>();
   for (std::size_t c = 0; c < samples.size(); ++c) {
-    FlipImage seen(images[c], inputs_.plan.pixelsPerDegree);
-    samples[c].error = reference_.errorOf(images[c], seen, frame);
+    FlipImage seen(shown[c].image, inputs_.plan.pixelsPerDegree);
+    samples[c].error = reference_.errorOf(shown[c].image, seen, frame, shown[c].covered);
     if (follows) samples[c].temporal = temporalError(*lastSeen_[c], seen, motion);
     if (isContinuous()) lastSeen_[c].emplace(std::move(seen));
   }

@@ -68,7 +68,12 @@ class Experiment {
   void planSteps();
   void readFinishedSteps();
   std::vector<Sample> runFrame(std::uint32_t frame);
-  void addErrors(std::vector<Sample>& samples, const std::vector<ImageRgba8>& images);
+  /// What addErrors compares of one configuration.
+  struct Shown {
+    ImageRgba8 image;
+    std::vector<std::uint8_t> covered;
+  };
+  void addErrors(std::vector<Sample>& samples, const std::vector<Shown>& shown);
   std::vector<KeptSample> runKeep(std::uint32_t frame);
   KeptSample keep(std::size_t configuration, std::uint32_t frame, const std::vector<float>& motion);
   std::vector<SweepSample> runSweep(std::uint32_t frame, float tau);

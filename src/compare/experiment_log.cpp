@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kLogVersion = 2;
+constexpr int kLogVersion = 3;
 constexpr std::uint64_t kMaxLogBytes = 1ULL << 31U;
 
 std::filesystem::path logFile(const std::filesystem::path& folder) {
@@ -30,6 +30,7 @@ std::filesystem::path logFile(const std::filesystem::path& folder) {
 json toJson(const ImageError& error) {
   json result = {
       {"psnr", std::isinf(error.psnr) ? json() : json(error.psnr)}, {"ssim", error.ssim}, {"flip", error.flip}};
+  if (error.flipCovered) result["flip_covered"] = *error.flipCovered;
   if (error.butteraugli) result["butteraugli"] = *error.butteraugli;
   return result;
 }
@@ -39,7 +40,9 @@ ImageError errorFrom(const json& value) {
   ImageError error{psnr.is_null() ? std::numeric_limits<double>::infinity() : psnr.get<double>(),
                    value.at("ssim"),
                    value.at("flip"),
+                   {},
                    {}};
+  if (value.contains("flip_covered")) error.flipCovered = value.at("flip_covered").get<double>();
   if (value.contains("butteraugli")) error.butteraugli = value.at("butteraugli").get<double>();
   return error;
 }
@@ -56,6 +59,8 @@ json toJson(const Sample& sample) {
     result["passes"].push_back({name, ms});
   if (sample.error) result["error"] = toJson(*sample.error);
   if (sample.visible) result["visible"] = *sample.visible;
+  if (sample.lost) result["lost"] = *sample.lost;
+  if (sample.wrongPixels) result["wrong_pixels"] = *sample.wrongPixels;
   if (sample.temporal) result["temporal_flip"] = *sample.temporal;
   if (sample.switched) result["visible_switched"] = *sample.switched;
   return result;
@@ -73,6 +78,8 @@ Sample sampleFrom(const json& value) {
     sample.passes.emplace_back(pass.at(0).get<std::string>(), pass.at(1).get<double>());
   if (value.contains("error")) sample.error = errorFrom(value.at("error"));
   if (value.contains("visible")) sample.visible = value.at("visible").get<std::uint64_t>();
+  if (value.contains("lost")) sample.lost = value.at("lost").get<std::uint64_t>();
+  if (value.contains("wrong_pixels")) sample.wrongPixels = value.at("wrong_pixels").get<std::uint64_t>();
   if (value.contains("temporal_flip")) sample.temporal = value.at("temporal_flip").get<double>();
   if (value.contains("visible_switched")) sample.switched = value.at("visible_switched").get<std::uint64_t>();
   return sample;

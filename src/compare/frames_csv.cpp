@@ -58,7 +58,7 @@ std::string headLine(const Columns& columns) {
   std::string text = "frame,configuration";
   for (const std::string_view key : kCounts)
     text += fmt::format(",{}", key);
-  text += ",visible,visible_switched,flip,psnr,ssim,butteraugli,temporal_flip,frame_ms";
+  text += ",visible,visible_switched,lost,wrong_pixels,flip,flip_covered,psnr,ssim,butteraugli,temporal_flip,frame_ms";
   for (const std::string& pass : columns.passes)
     text += "," + csvField(pass + " ms");
   for (std::size_t k = 0; k < columns.levels; ++k)
@@ -84,9 +84,12 @@ std::string line(const Sample& sample, const std::string& name, const Columns& c
     text += fmt::format(",{}", countOf(sample.statistics, key));
   text += sample.visible ? fmt::format(",{}", *sample.visible) : ",";
   text += sample.switched ? fmt::format(",{}", *sample.switched) : ",";
-  text += sample.error
-              ? fmt::format(",{:.6f},{:.4f},{:.6f}", sample.error->flip, sample.error->psnr, sample.error->ssim)
-              : ",,,";
+  text += sample.lost ? fmt::format(",{}", *sample.lost) : ",";
+  text += sample.wrongPixels ? fmt::format(",{}", *sample.wrongPixels) : ",";
+  text += sample.error ? fmt::format(",{:.6f}", sample.error->flip) : ",";
+  const bool covered = sample.error && sample.error->flipCovered;
+  text += covered ? fmt::format(",{:.6f}", *sample.error->flipCovered) : ",";
+  text += sample.error ? fmt::format(",{:.4f},{:.6f}", sample.error->psnr, sample.error->ssim) : ",,";
   const bool judged = sample.error && sample.error->butteraugli;
   text += judged ? fmt::format(",{:.6f}", *sample.error->butteraugli) : ",";
   text += sample.temporal ? fmt::format(",{:.6f}", *sample.temporal) : ",";

@@ -74,6 +74,7 @@ struct ImageError {
   double psnr = 0.0;  ///< dB
   double ssim = 1.0;
   double flip = 0.0;                       ///< mean
+  std::optional<double> flipCovered = {};  ///< mean over the pixels that show an object; absent if none does
   std::optional<double> butteraugli = {};  ///< ButteraugliError::mean; absent where it was not asked for
 };
 

@@ -40,8 +40,10 @@ class ReferenceFrames {
   const ImageRgba8& image(std::uint32_t frame);
   /// The same picture, filtered for FLIP.
   const FlipImage& flip(std::uint32_t frame);
-  /// Error of a picture of the same frame. @param seen  the picture, filtered for FLIP
-  ImageError errorOf(const ImageRgba8& image, const FlipImage& seen, std::uint32_t frame);
+  /// Error of a picture of the same frame. @param seen     the picture, filtered for FLIP
+  /// @param covered  FrameObjects::covered of the picture; empty: not known
+  ImageError errorOf(const ImageRgba8& image, const FlipImage& seen, std::uint32_t frame,
+                     const std::vector<std::uint8_t>& covered = {});
   /// FLIP per pixel between two frames of the reference: change that comes from the camera's motion alone.
   std::vector<float> motion(std::uint32_t from, std::uint32_t to);
 

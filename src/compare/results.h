@@ -23,6 +23,8 @@ struct Sample {
   std::optional<ImageError> error;                     ///< absent without a reference
   std::optional<std::uint64_t> visible;   ///< objects with at least one visible pixel; absent without pictures
   std::optional<std::uint64_t> switched;  ///< of these, objects drawn at another level than in the frame before
+  std::optional<std::uint64_t> lost;         ///< FrameObjects::lost; absent without pictures
+  std::optional<std::uint64_t> wrongPixels;  ///< FrameObjects::wrongPixels
   std::optional<double> temporal;         ///< as KeptSample::temporal; absent where frames are left out
 };
 

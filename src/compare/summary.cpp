@@ -63,11 +63,13 @@ ordered_json errorJson(const std::vector<const Sample*>& samples) {
   std::vector<double> squares;
   std::vector<double> similarities;
   std::vector<double> masked;
+  std::vector<double> covered;
   for (const Sample* sample : samples) {
     if (!sample->error) continue;
     flips.push_back(sample->error->flip);
     squares.push_back(meanSquaredError(sample->error->psnr));
     similarities.push_back(sample->error->ssim);
+    if (sample->error->flipCovered) covered.push_back(*sample->error->flipCovered);
     if (sample->error->butteraugli) masked.push_back(*sample->error->butteraugli);
   }
   if (flips.empty()) return nullptr;
@@ -75,12 +77,30 @@ ordered_json errorJson(const std::vector<const Sample*>& samples) {
     return ordered_json{{"mean", meanOf(values)}, {"largest", *std::max_element(values.begin(), values.end())}};
   };
   return {{"flip", spread(flips)},
+          {"flip_covered", covered.empty() ? ordered_json(nullptr) : spread(covered)},
           {"psnr",
            {{"mean", finite(psnrOf(meanOf(squares)))},
             {"least", finite(psnrOf(*std::max_element(squares.begin(), squares.end())))}}},
           {"ssim",
            {{"mean", meanOf(similarities)}, {"least", *std::min_element(similarities.begin(), similarities.end())}}},
           {"butteraugli", masked.empty() ? ordered_json(nullptr) : spread(masked)}};
+}
+
+/// Objects and pixels that culling lost; null without pictures.
+ordered_json lostJson(const std::vector<const Sample*>& samples) {
+  std::uint64_t objects = 0;
+  std::uint64_t pixels = 0;
+  std::uint64_t frames = 0;
+  bool known = false;
+  for (const Sample* sample : samples) {
+    if (!sample->lost || !sample->wrongPixels) continue;
+    known = true;
+    objects = std::max(objects, *sample->lost);
+    pixels = std::max(pixels, *sample->wrongPixels);
+    frames += *sample->wrongPixels > 0 ? 1 : 0;
+  }
+  if (!known) return nullptr;
+  return {{"objects_most", objects}, {"pixels_most", pixels}, {"frames", frames}};
 }
 
 /// Level switches and the change that they make. Temporal FLIP is the mean over all frames of a path without gaps, else
@@ -182,6 +202,7 @@ ordered_json configurationJson(const Results& results, const Configuration& conf
   json["culled_frustum"] = spread([](const Sample& s) { return s.statistics.culledFrustum; });
   json["culled_occlusion"] = spread([](const Sample& s) { return s.statistics.culledOcclusion; });
   json["lod_histogram_mean"] = meanHistogram(samples);
+  json["lost"] = lostJson(samples);
   json["error"] = errorJson(samples);
   json["popping"] = poppingJson(results, samples, index);
   return json;
@@ -309,6 +330,7 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
   json["command"] = circumstances.command;
   json["renderer"] = circumstances.renderer;
   json["timing"] = circumstances.timing;
+  json["ignored"] = ordered_json(circumstances.ignored);
   json["width"] = plan.width;
   json["height"] = plan.height;
   json["frames"] = {{"first", plan.range.first},
@@ -337,14 +359,16 @@ std::string summaryText(const ordered_json& summary) {
   };
   const bool judged = std::any_of(configurations.begin(), configurations.end(), isJudged);
   std::string text =
-      fmt::format("{:<28} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8}{}\n", "configuration", "triangles", "ratio",
-                  "frame ms", "ratio", "FLIP", "PSNR", "switches", judged ? " Butteraugli" : "");
+      fmt::format("{:<28} {:>9} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8}{}\n", "configuration", "lost px",
+                  "triangles", "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches", judged ? " Butteraugli" : "");
   for (const ordered_json& c : configurations) {
     const auto median = [&](const char* key) { return c.at(key).at("median").get<double>(); };
     const ordered_json& error = c.at("error");
     const std::string flip = error.is_null() ? "-" : orDash(error.at("flip").at("mean"), "{:.4f}");
-    text += fmt::format("{:<28} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}", c.at("name").get<std::string>(),
-                        shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"),
+    const ordered_json& lost = c.at("lost");
+    text += fmt::format("{:<28} {:>9} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}",
+                        c.at("name").get<std::string>(),
+                        lost.is_null() ? "-" : std::to_string(lost.at("pixels_most").get<std::uint64_t>()), shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"),
                         median("frame_ratio"), flip, psnrText(error),
                         orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
     if (judged)

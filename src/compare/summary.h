@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/scene_types.h"
 #include "compare/plan.h"
 #include "compare/results.h"
 
@@ -20,6 +21,7 @@ struct Circumstances {
   std::string timing;    ///< "wall" or "gpu"
   std::string command;   ///< repeats the experiment
   std::string version;
+  asset::ContentCounts ignored = {};  ///< what the scene's file holds that is not drawn
 };
 
 /// The content of summary.json. Keys are stable; docs/compare.md explains them.

@@ -71,15 +71,28 @@ void DebugViews::drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuff
   pass.drawOverdraw(halvings_->texture);
 }
 
-void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
-                            visibility::DrawListPass& lists) {
+visibility::ObjectBuffers DebugViews::buildGhosts(const DrawnFrame& frame, SceneBuffers& buffers,
+                                                  visibility::DrawListPass& lists) {
   if (!ghosts_) ghosts_.emplace(scene_, markGhosts_);
   ghosts_->build(lists, buffers.bindings(), frame.visibility->decided());
+  return ghosts_->decided(frame.visibility->decided());
+}
+
+void DebugViews::drawLeftOut(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
+                             visibility::DrawListPass& lists) {
+  const visibility::ObjectBuffers decided = buildGhosts(frame, buffers, lists);
+  pass.setView(frame.view);
+  for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
+    pass.draw(DrawKind::kId, part, buffers, ghosts_->list(), decided);
+}
+
+void DebugViews::drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers,
+                            visibility::DrawListPass& lists) {
+  const visibility::ObjectBuffers decided = buildGhosts(frame, buffers, lists);
   setPart(pass, frame, gpu::kViewGhost);
   frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  const visibility::ObjectBuffers decided = ghosts_->decided(frame.visibility->decided());
   for (const DrawPart part : {DrawPart::kOpaque, DrawPart::kBlended})
     pass.draw(DrawKind::kShaded, part, buffers, ghosts_->list(), decided);
   glDisable(GL_BLEND);

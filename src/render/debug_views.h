@@ -36,6 +36,8 @@ class DebugViews {
 
   /// Draws over the frame what its view asks for; GL_FRAMEBUFFER_SRGB is on.
   void draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);
+  /// Draws what the frame left out as object numbers, into the bound framebuffer.
+  void drawLeftOut(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);
   /// Forgets what depends on the size of the screen.
   void resize() { halvings_.reset(); }
 
@@ -48,6 +50,9 @@ class DebugViews {
   void drawLines(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers);
   void drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers);
   void drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);
+  /// Builds the list of what the frame left out. @return  the buffers for drawing it
+  visibility::ObjectBuffers buildGhosts(const DrawnFrame& frame, SceneBuffers& buffers,
+                                        visibility::DrawListPass& lists);
 
   const scene::SceneData& scene_;
   std::optional<Halvings> halvings_;

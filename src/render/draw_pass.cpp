@@ -12,6 +12,7 @@ std::array<gl::Program, 4> makePrograms(ProgramId first, const DrawFeatures& fea
   for (unsigned i = 0; i < programs.size(); ++i) {
     gl::ProgramSource source = programTable()[static_cast<unsigned>(first) + i];
     if (features.capabilities.drawParameters) source = gl::withDefine(source, kDrawParametersDefine);
+    if (features.fullMaterials) source = gl::withDefine(source, kFullMaterialsDefine);
     programs[i] = gl::Program(gl::withDefine(source, textureClassesDefine(features.textureClasses)), shaders);
   }
   return programs;

@@ -27,6 +27,7 @@ struct DrawFeatures {
   /// Draw parameters and count draws are used where they are named; results are the same without.
   const gl::Capabilities& capabilities;
   std::uint32_t textureClasses = 1;  ///< SceneBuffers::textureClasses
+  bool fullMaterials = false;        ///< SceneData::usesFullMaterials
 };
 
 /// The programs of all lists, and the loop over them.

@@ -54,14 +54,24 @@ void FrameDrawing::drawIds() const {
   glDisable(GL_DEPTH_TEST);
 }
 
+void FrameDrawing::drawLeftOutIds() {
+  frame_.targets.bind(frame_.targets.ids);
+  glEnable(GL_DEPTH_TEST);
+  views_.drawLeftOut(drawnFrame(), frame_.draw, frame_.scene, frame_.lists);
+  glDisable(GL_DEPTH_TEST);
+}
+
+DrawnFrame FrameDrawing::drawnFrame() const {
+  return {frame_.drawView, twoPhases(),  &frame_.targets.frame, &frame_.targets.view,
+          &frame_.early,   &frame_.late, &frame_.visibility};
+}
+
 void FrameDrawing::drawView(const FrameOptions& options, bool frozen) {
   const bool addsBoxes = options.boxes && !frozen;
   const bool addsPass = rowOf(options.view).addsPass;
   if (!addsPass && !addsBoxes) return;
   const gl::PassTimer::Scope pass(frame_.timer, addsPass ? "view" : "boxes");
-  const DrawnFrame drawn{frame_.drawView, twoPhases(),  &frame_.targets.frame, &frame_.targets.view,
-                         &frame_.early,   &frame_.late, &frame_.visibility};
-  views_.draw(drawn, frame_.draw, frame_.scene, frame_.lists);
+  views_.draw(drawnFrame(), frame_.draw, frame_.scene, frame_.lists);
   if (!addsBoxes) return;
   frame_.draw.setView(frame_.drawView);
   frame_.targets.bind(frame_.targets.view);

@@ -19,6 +19,8 @@ class FrameDrawing {
   void draw(const FrameOptions& options, CullMethod& method);
   /// Draws the object numbers of the last frame into Targets::ids.
   void drawIds() const;
+  /// Draws over them what the frame left out.
+  void drawLeftOutIds();
   /// Forgets what depends on the size of the screen.
   void resize() { views_.resize(); }
 
@@ -27,6 +29,7 @@ class FrameDrawing {
   void countPixels() const;
   void drawObjects(const gl::Framebuffer& target, bool earlyIsThere) const;
   void drawView(const FrameOptions& options, bool frozen);
+  DrawnFrame drawnFrame() const;
 
   const FrameContext& frame_;
   DebugViews views_;

@@ -49,6 +49,10 @@ void FrameRenderer::renderIds() noexcept {
   parts_->drawing.drawIds();
 }
 
+void FrameRenderer::renderLeftOutIds() noexcept {
+  parts_->drawing.drawLeftOutIds();
+}
+
 void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
   FrameParts& parts = *parts_;
   targetNeeds(width, height).require(parts.memory);

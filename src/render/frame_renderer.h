@@ -61,6 +61,9 @@ class FrameRenderer {
   void renderCover() noexcept;
   /// Draws the last frame's objects again, as object numbers.
   void renderIds() noexcept;
+  /// Draws over the last renderIds() what the frame left out and what lies in front of it there: objects at their
+  /// coarsest level, cells at the level of their object. Of a frame that loses nothing, no number changes.
+  void renderLeftOutIds() noexcept;
 
   /// Another size; history is forgotten. Errors: kLimit, as the constructor; the renderer can then only be destroyed or
   /// resized. @pre both sides in [1, 16384] (checked)

@@ -40,6 +40,7 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
   MemoryEstimate needs;
   needs.add(size.instances, objectBytes(options, patches), counted(size.instances, "instances"));
   needs.add(vertices, sizeof(scene::Vertex), counted(vertices, "vertices"));
+  needs.add(size.secondUvs > 0 ? vertices : 0, sizeof(glm::vec2), counted(vertices, "second texture coordinates"));
   needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   // Two bins per level: a command in every list and a count per tile, of which a chain has one for 64 objects.

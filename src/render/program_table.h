@@ -32,7 +32,10 @@ enum class ProgramId : unsigned {
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.
 inline constexpr const char* kDrawParametersDefine = "JAL_DRAW_PARAMETERS";
 
-/// The define that declares so many array textures of base colours, 1 to gpu::kTextureClasses (checked).
+/// The define for scenes whose materials have more than a base colour with a plain texture.
+inline constexpr const char* kFullMaterialsDefine = "JAL_FULL_MATERIALS";
+
+/// The define that declares so many array textures, 1 to gpu::kTextureClasses (checked).
 std::string_view textureClassesDefine(std::uint32_t count);
 
 /// All programs, in the order of ProgramId.

@@ -1,4 +1,4 @@
-// Upload of vertices, indices, scene tables and base colour layers.
+// Upload of vertices, indices, scene tables and texture layers.
 #include "render/scene_buffers.h"
 
 #include <algorithm>
@@ -33,13 +33,13 @@ gl::Texture makeClass(const scene::TextureClass& size) {
                                        "driver's texture arrays hold " + std::to_string(maxLayers));
   const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(size.width, size.height)));
   gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {size.width, size.height, size.layers, levels},
-                      "base colours");
+                      "textures");
   texture.setSampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
   return texture;
 }
 
 /// One array for each class; one white texel where there are none.
-std::vector<gl::Texture> makeBaseColors(const scene::TextureLayers& textures) {
+std::vector<gl::Texture> makeTextures(const scene::TextureLayers& textures) {
   std::vector<gl::Texture> arrays;
   for (const scene::TextureClass& size : textures.layout.classes)
     arrays.push_back(makeClass(size));
@@ -57,6 +57,7 @@ std::vector<gl::Texture> makeBaseColors(const scene::TextureLayers& textures) {
 
 constexpr GLuint kPerVertex = 0;
 constexpr GLuint kPerInstance = 1;
+constexpr GLuint kSecondUvs = 2;
 
 }  // namespace
 
@@ -66,6 +67,7 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       cellCount_(static_cast<std::uint32_t>(scene.cells.objects.size())),
       usesBlending_(scene.usesBlending),
       vertices_(upload(scene.vertices, "vertices")),
+      secondUvs_(upload(scene.secondUvs, "second texture coordinates")),
       indices_(upload(scene.indices, "indices")),
       transforms_(uploadStorage(scene.transforms, "transforms")),
       objects_(uploadStorage(scene.objects, "objects")),
@@ -76,7 +78,7 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       cellLods_(uploadStorage(scene.cells.lods, "lods of cells")),
       cellBounds_(uploadStorage(scene.cells.bounds, "bounds of cells")),
       materials_(uploadStorage(scene.materials, "materials")),
-      baseColors_(makeBaseColors(scene.textures)),
+      textures_(makeTextures(scene.textures)),
       vertexArray_("scene") {
   using scene::Vertex;
   vertexArray_.setBuffer(kPerVertex, vertices_, sizeof(Vertex), 0);
@@ -89,6 +91,10 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
   };
   for (const gl::AttributeFormat& format : perVertex)
     vertexArray_.setAttribute(kPerVertex, format);
+  if (!scene.secondUvs.empty()) {
+    vertexArray_.setBuffer(kSecondUvs, secondUvs_, sizeof(glm::vec2), 0);
+    vertexArray_.setAttribute(kSecondUvs, {gpu::kAttributeUv1, 2, GL_FLOAT, false, false, 0});
+  }
   vertexArray_.setAttribute(kPerInstance, {gpu::kAttributeObject, 1, GL_UNSIGNED_INT, false, true, 0});
   vertexArray_.setIndexBuffer(indices_);
 }
@@ -108,8 +114,8 @@ void SceneBuffers::bindForDrawing(const gl::Buffer& instances) {
   drawn.chains->bindStorage(gpu::kBindingChains);
   instances.bindStorage(gpu::kBindingDrawInstances);
   materials_.bindStorage(gpu::kBindingMaterials);
-  for (std::uint32_t i = 0; i < baseColors_.size(); ++i)
-    baseColors_[i].bind(gpu::kUnitBaseColor + i);
+  for (std::uint32_t i = 0; i < textures_.size(); ++i)
+    textures_[i].bind(gpu::kUnitBaseColor + i);
 }
 
 }  // namespace jalousie::render

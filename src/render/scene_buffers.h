@@ -20,8 +20,8 @@ class SceneBuffers {
 
   std::uint32_t objectCount() const { return objectCount_; }
   std::uint32_t transformCount() const { return transformCount_; }
-  /// Array textures that the base colours lie in, 1 to gpu::kTextureClasses.
-  std::uint32_t textureClasses() const { return static_cast<std::uint32_t>(baseColors_.size()); }
+  /// Array textures that the pictures lie in, 1 to gpu::kTextureClasses.
+  std::uint32_t textureClasses() const { return static_cast<std::uint32_t>(textures_.size()); }
   bool usesBlending() const { return usesBlending_; }
   std::uint32_t cellCount() const { return cellCount_; }  ///< 0: objects are drawn whole
   visibility::SceneBindings bindings() const;
@@ -36,6 +36,7 @@ class SceneBuffers {
   std::uint32_t cellCount_;
   bool usesBlending_;
   gl::Buffer vertices_;
+  gl::Buffer secondUvs_;
   gl::Buffer indices_;
   gl::Buffer transforms_;
   gl::Buffer objects_;
@@ -46,7 +47,7 @@ class SceneBuffers {
   gl::Buffer cellLods_;
   gl::Buffer cellBounds_;
   gl::Buffer materials_;
-  std::vector<gl::Texture> baseColors_;  ///< by texture class; at least one
+  std::vector<gl::Texture> textures_;  ///< by texture class; at least one
   gl::VertexArray vertexArray_;
 };
 

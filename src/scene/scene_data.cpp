@@ -2,6 +2,7 @@
 #include "scene/scene_data.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -33,20 +34,52 @@ std::uint32_t packColor(const glm::vec4& color) {
   return packed;
 }
 
-/// @param slots  of the textures, per image
-gpu::Material makeMaterial(const asset::Material& material, std::span<const TextureSlot> slots) {
+gpu::uint samplingBits(const asset::TextureUse& use, const TextureClass& size) {
+  const asset::Sampling& sampling = use.sampling;
+  const auto wrap = [](asset::Wrap wrapped, gpu::uint clamp, gpu::uint mirror) {
+    return wrapped == asset::Wrap::kClamp ? clamp : wrapped == asset::Wrap::kMirror ? mirror : 0U;
+  };
+  gpu::uint bits = wrap(sampling.wrapU, gpu::kSamplingClampU, gpu::kSamplingMirrorU) |
+                   wrap(sampling.wrapV, gpu::kSamplingClampV, gpu::kSamplingMirrorV);
+  if (sampling.magnifyNearest) bits |= gpu::kSamplingMagnifyNearest;
+  if (sampling.minifyNearest) bits |= gpu::kSamplingMinifyNearest;
+  if (sampling.mip == asset::Mip::kNearest) bits |= gpu::kSamplingMipNearest;
+  if (sampling.mip == asset::Mip::kNone) bits |= gpu::kSamplingMipNone;
+  if (use.uvSet == 1) bits |= gpu::kSamplingSecondUv;
+  bits |= static_cast<gpu::uint>(std::countr_zero(size.width)) << gpu::kSamplingWidthShift;
+  return bits | static_cast<gpu::uint>(std::countr_zero(size.height)) << gpu::kSamplingHeightShift;
+}
+
+gpu::TextureUse makeTextureUse(const asset::TextureUse& use, const TextureLayout& layout) {
+  const TextureSlot& slot = layout.slots[use.image];
+  return {use.uvAxes, use.uvOffset, slot.layer | slot.textureClass << 16U,
+          samplingBits(use, layout.classes[slot.textureClass])};
+}
+
+gpu::Material makeMaterial(const asset::Material& material, const TextureLayout& layout) {
   gpu::Material result{};
   result.baseColor = material.baseColor;
+  result.emission = glm::vec4(material.emission, material.normalScale);
   result.alphaCutoff = material.alphaCutoff;
-  if (material.image) {
-    result.layer = slots[*material.image].layer;
-    result.textureClass = slots[*material.image].textureClass;
-  }
-  if (material.image) result.flags |= gpu::kMaterialTextured;
+  const auto add = [&](const std::optional<asset::TextureUse>& use, gpu::uint flag, gpu::TextureUse& target) {
+    if (!use) return;
+    result.flags |= flag;
+    target = makeTextureUse(*use, layout);
+  };
+  add(material.baseTexture, gpu::kMaterialTextured, result.base);
+  add(material.emissiveTexture, gpu::kMaterialEmissionTextured, result.emissive);
+  add(material.normalTexture, gpu::kMaterialNormalTextured, result.normals);
+  if (material.isUnlit) result.flags |= gpu::kMaterialUnlit;
   if (material.doubleSided) result.flags |= gpu::kMaterialDoubleSided;
   if (material.alphaMode == asset::AlphaMode::kMask) result.flags |= gpu::kMaterialMask;
   if (material.alphaMode == asset::AlphaMode::kBlend) result.flags |= gpu::kMaterialBlend;
   return result;
+}
+
+/// Whether a material needs the programs with JAL_FULL_MATERIALS.
+bool isFull(const asset::Material& material) {
+  return (material.baseTexture && !material.baseTexture->isPlain()) || material.emission != glm::vec3(0.0F) ||
+         material.normalTexture || material.isUnlit;
 }
 
 /// Area of all triangles, object space.
@@ -72,9 +105,11 @@ class Builder {
   Builder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}
 
   SceneData build() {
-    scene_.textures = makeTextureLayers(file_.images, alphaCutoffs());
+    scene_.textures = makeTextureLayers(file_.images, layerUses());
     for (const asset::Material& material : file_.materials)
-      scene_.materials.push_back(makeMaterial(material, scene_.textures.layout.slots));
+      scene_.materials.push_back(makeMaterial(material, scene_.textures.layout));
+    scene_.usesFullMaterials = std::any_of(file_.materials.begin(), file_.materials.end(), isFull);
+    hasSecondUvs_ = std::any_of(file_.materials.begin(), file_.materials.end(), asset::usesSecondUvs);
     cells_ = divideMeshes(file_, options_.patches ? CellOptions{} : options_.cells);
     reserve();
     meshLods_.resize(file_.meshes.size());
@@ -90,6 +125,7 @@ class Builder {
     const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
     scene_.cameras = file_.cameras;
+    scene_.ignored = file_.ignored;
     return std::move(scene_);
   }
 
@@ -109,18 +145,25 @@ class Builder {
     for (const asset::Chain& chain : file_.chains)
       if (options_.patches) add(file_.meshes[chain.levels.back().mesh]);
     scene_.vertices.reserve(vertices);
+    if (hasSecondUvs_) scene_.secondUvs.reserve(vertices);
     scene_.indices.reserve(indices);
     scene_.transforms.reserve(file_.instances.size());
     scene_.objects.reserve(file_.instances.size());
   }
 
-  /// Per image the cutoff of the first masked material that uses it, so that its mip levels keep their coverage.
-  std::vector<std::optional<float>> alphaCutoffs() const {
-    std::vector<std::optional<float>> cutoffs(file_.images.size());
-    for (const asset::Material& material : file_.materials)
-      if (material.image && material.alphaMode == asset::AlphaMode::kMask && !cutoffs[*material.image])
-        cutoffs[*material.image] = material.alphaCutoff / std::max(material.baseColor.a, 1e-3F);
-    return cutoffs;
+  /// Per image what its materials need; the cutoff is that of the first masked one, so that its mip levels keep their
+  /// coverage.
+  std::vector<LayerUse> layerUses() const {
+    std::vector<LayerUse> uses(file_.images.size());
+    for (const asset::Material& material : file_.materials) {
+      if (material.normalTexture) uses[material.normalTexture->image].isData = true;
+      for (const auto& texture : {material.baseTexture, material.emissiveTexture, material.normalTexture})
+        if (texture && texture->sampling.magnifyNearest) uses[texture->image].isNearest = true;
+      if (!material.baseTexture || material.alphaMode != asset::AlphaMode::kMask) continue;
+      std::optional<float>& cutoff = uses[material.baseTexture->image].alphaCutoff;
+      if (!cutoff) cutoff = material.alphaCutoff / std::max(material.baseColor.a, 1e-3F);
+    }
+    return uses;
   }
 
   gpu::uint listOfPrimitive(const Primitive& primitive) const { return listOf(file_.materials[primitive.material]); }
@@ -141,6 +184,9 @@ class Builder {
         for (std::size_t v = 0; v < primitive.positions.size(); ++v)
           scene_.vertices.push_back({primitive.positions[v], packNormal(own[v]), primitive.uvs[v],
                                      packColor(primitive.colors[v]), primitive.material});
+        if (!hasSecondUvs_) continue;
+        scene_.secondUvs.insert(scene_.secondUvs.end(), primitive.uvs1.begin(), primitive.uvs1.end());
+        scene_.secondUvs.resize(scene_.vertices.size());
       }
     }
     return offsets;
@@ -330,6 +376,7 @@ class Builder {
   const asset::SceneFile& file_;
   BuildOptions options_;
   SceneData scene_;
+  bool hasSecondUvs_ = false;
   /// The triangles of one cell at one level.
   struct Cell {
     gpu::Lod lod;

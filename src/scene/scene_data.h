@@ -41,13 +41,16 @@ struct CellTables : DrawTables {
 /// Everything the GPU needs of a scene. All chains share one vertex and one index buffer.
 struct SceneData : DrawTables {
   std::vector<Vertex> vertices;
+  std::vector<glm::vec2> secondUvs;  ///< TEXCOORD_1 [vertices.size()], zeros where unused; empty if no texture uses it
   std::vector<std::uint32_t> indices;
   std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
+  asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;           ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
   Aabb boundsWorld;           ///< of all objects
+  bool usesFullMaterials = false;  ///< a material has more than a base colour with a texture that isPlain()
   bool usesBlending = false;  ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
   std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches

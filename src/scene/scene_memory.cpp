@@ -30,6 +30,7 @@ SceneSize sizeOf(const SceneData& scene) {
   SceneSize size;
   size.instances = scene.objects.size();
   size.vertices = scene.vertices.size();
+  size.secondUvs = scene.secondUvs.size();
   size.indices = scene.indices.size();
   size.chains = scene.chains.size();
   size.levels = scene.lods.size();
@@ -57,6 +58,7 @@ MemoryEstimate fileNeeds(const SceneSize& size) {
   needs.add(size.documentBytes, 1, "the document");
   needs.add(size.instances, sizeof(asset::Instance) + kReadInstanceBytes, counted(size.instances, "instances"));
   needs.add(size.vertices, kFileVertexBytes, counted(size.vertices, "vertices"));
+  needs.add(size.secondUvs, sizeof(glm::vec2), counted(size.secondUvs, "second texture coordinates"));
   needs.add(size.indices, sizeof(std::uint32_t), counted(size.indices, "indices"));
   needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
   needs.add(size.cellEnds, sizeof(std::uint32_t), counted(size.cellEnds, "ends of cells"));
@@ -84,6 +86,7 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   needs.add(size.instances, sizeof(gpu::Transform) + sizeof(gpu::Object) + sizeof(std::uint32_t) + sizeof(gpu::Tile),
             counted(size.instances, "instances"));
   needs.add(vertices, sizeof(Vertex), counted(vertices, "vertices"));
+  needs.add(size.secondUvs > 0 ? vertices : 0, sizeof(glm::vec2), counted(vertices, "second texture coordinates"));
   needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));

@@ -91,6 +91,29 @@ void restoreCoverage(ImageRgba8& image, float cutoff, float coverage) {
   }
 }
 
+/// Each texel from the one that its centre lies in.
+ImageRgba8 enlarged(const ImageRgba8& source, std::uint32_t width, std::uint32_t height) {
+  ImageRgba8 result{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height)};
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const auto row = static_cast<std::uint32_t>((2 * std::uint64_t{y} + 1) * source.height / (2 * std::uint64_t{height}));
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const auto column =
+          static_cast<std::uint32_t>((2 * std::uint64_t{x} + 1) * source.width / (2 * std::uint64_t{width}));
+      std::copy_n(&source.pixels[source.offset(column, row)], 4, &result.pixels[result.offset(x, y)]);
+    }
+  }
+  return result;
+}
+
+/// The array textures decode sRGB: colours become bytes whose decoded value is the old byte / 255.
+void encodeData(ImageRgba8& image) {
+  std::array<std::uint8_t, 256> encoded = {};
+  for (std::size_t i = 0; i < encoded.size(); ++i)
+    encoded[i] = toByte(srgbFromLinear(static_cast<float>(i) / 255.0F));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    if (i % 4 != 3) image.pixels[i] = encoded[image.pixels[i]];
+}
+
 /// A class while classes are merged.
 struct Group {
   TextureClass size;
@@ -194,22 +217,26 @@ TextureLayout layoutTextures(std::span<const asset::ImageSize> images, std::uint
   return layout;
 }
 
-TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images,
-                                const std::vector<std::optional<float>>& alphaCutoffs, std::uint32_t maxSide) {
+TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images, const std::vector<LayerUse>& uses,
+                                std::uint32_t maxSide) {
   std::vector<asset::ImageSize> sizes;
   for (const ImageRgba8& image : images)
     sizes.push_back({image.width, image.height});
-  TextureLayers result{layoutTextures(sizes, maxSide), images, alphaCutoffs};
-  result.alphaCutoffs.resize(images.size());
+  TextureLayers result{layoutTextures(sizes, maxSide), images, uses};
+  result.uses.resize(images.size());
   return result;
 }
 
 std::vector<ImageRgba8> makeLayer(const TextureLayers& textures, std::size_t image) {
   const TextureClass& size = textures.layout.classes[textures.layout.slots[image].textureClass];
   const ImageRgba8& source = textures.images[image];
+  const LayerUse& use = textures.uses[image];
   const bool fits = source.width == size.width && source.height == size.height;
-  return makeMipLevels(fits ? source : asset::resizeImage(source, size.width, size.height),
-                       textures.alphaCutoffs[image]);
+  ImageRgba8 layer = fits            ? source
+                     : use.isNearest ? enlarged(source, size.width, size.height)
+                                     : asset::resizeImage(source, size.width, size.height);
+  if (use.isData) encodeData(layer);
+  return makeMipLevels(layer, use.alphaCutoff);
 }
 
 }  // namespace jalousie::scene

@@ -1,4 +1,4 @@
-// Base colour textures as layers of a few array textures, so that one draw call can use them all.
+// Textures as layers of a few array textures, so that one draw call can use them all.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,17 @@
 
 namespace jalousie::scene {
 
-/// Longest side of a layer, pixels; larger images are resampled to it.
-inline constexpr std::uint32_t kMaxLayerSide = 1024;
+/// Longest side of a layer, pixels; larger images are resampled to it. All OpenGL 4.5 drivers have it.
+inline constexpr std::uint32_t kMaxLayerSide = 16384;
+
+/// What the layer of an image is made for.
+struct LayerUse {
+  std::optional<float> alphaCutoff = std::nullopt;  ///< of a masked material, for makeMipLevels
+  bool isData = false;     ///< normals: stored so that the sRGB decoding of the sampler gives the bytes / 255
+  bool isNearest = false;  ///< enlarged without filtering
+
+  friend bool operator==(const LayerUse&, const LayerUse&) = default;
+};
 
 /// Layers of one size: an array texture. Both sides are powers of two.
 struct TextureClass {
@@ -47,8 +56,8 @@ TextureLayout layoutTextures(std::span<const asset::ImageSize> images, std::uint
 /// Images and where they lie. Layers are made one at a time by makeLayer.
 struct TextureLayers {
   TextureLayout layout;
-  SharedVector<ImageRgba8> images;                 ///< as read; may be emptied when the layers are uploaded
-  std::vector<std::optional<float>> alphaCutoffs;  ///< per image, for makeMipLevels
+  SharedVector<ImageRgba8> images;  ///< as read; may be emptied when the layers are uploaded
+  std::vector<LayerUse> uses;       ///< per image
 };
 
 /// Mip levels of an image whose sides are powers of two, level 0 first, down to one texel. A side of one texel stays.
@@ -61,9 +70,8 @@ std::vector<ImageRgba8> makeMipLevels(const ImageRgba8& image, std::optional<flo
 /// Share of texels with alpha >= cutoff.
 float alphaCoverage(const ImageRgba8& image, float cutoff);
 
-/// @param alphaCutoffs  per image; may be shorter than images
-TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images,
-                                const std::vector<std::optional<float>>& alphaCutoffs = {},
+/// @param uses  per image; may be shorter than images
+TextureLayers makeTextureLayers(const SharedVector<ImageRgba8>& images, const std::vector<LayerUse>& uses = {},
                                 std::uint32_t maxSide = kMaxLayerSide);
 
 /// The layer of one image with its mip levels, resampled to the size of its class.

@@ -111,6 +111,7 @@ class CompareCommand : public test::GlTest {
             {{"compare", scene, "-o", file("x"), "--config", "reference="}, 2},
             {{"compare", scene, "-o", file("x"), "--config", "a b=", "--config", "a_b="}, 2},
             {{"compare", scene, "-o", file("x"), "--configs", file("broken.json")}, 5},
+            {{"compare", scene, "-o", file("x"), "--configs", file("mistyped.json")}, 5},
             {{"compare", scene, "-o", file("x"), "--configs", file("no.json")}, 3},
             {{"compare", scene, "-o", file("x"), "--baseline", "hom"}, 2},
             {{"compare", scene, "-o", file("x"), "--frames", "5:1"}, 2},
@@ -292,6 +293,21 @@ TEST_F(CompareCommand, WithoutAReferenceOnlyCullingRuns) {
   EXPECT_TRUE(std::filesystem::is_empty(file("counts/pictures")));
 }
 
+TEST_F(CompareCommand, WhatCullingLosesIsReported) {
+  const ProgramResult result = jalousie({"compare", file("scene.glb"), "--configs", "hiz", "--config",
+                                         "careless=--min-pixels 2000", "--frames", "900", "--size", "160x90", "--keep",
+                                         "1", "-o", file("losses"), "--json", "-", "--quiet"});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const json configurations = json::parse(result.standardOutput)["configurations"];
+  EXPECT_EQ(configurations[0]["lost"], json({{"objects_most", 0}, {"pixels_most", 0}, {"frames", 0}}));
+  const json& careless = configurations[1]["lost"];
+  EXPECT_GT(careless["objects_most"], 0);
+  EXPECT_GE(careless["pixels_most"], careless["objects_most"]);
+  EXPECT_EQ(careless["frames"], 1);
+  EXPECT_GE(configurations[1]["error"]["flip_covered"]["mean"], configurations[1]["error"]["flip"]["mean"])
+      << "the background has no error";
+}
+
 TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
   std::filesystem::create_directory(file("mine"));
   std::ofstream(file("mine/letter.txt")) << "dear reader";
@@ -299,6 +315,7 @@ TEST_F(CompareCommand, MistakesAreOneLineThatSaysWhatToDo) {
   std::ofstream(file("mine2/run.jsonl")) << "{\"loss\": 0.5}\n";
   std::filesystem::create_directory(file("mine2/pictures"));
   std::ofstream(file("broken.json")) << "{\"configurations\": [{\"options\": \"\"}]}";
+  std::ofstream(file("mistyped.json")) << R"({"configurations": [{"name": "a", "opts": "--tau 2"}]})";
   for (const Mistake& mistake : mistakes()) {
     const ProgramResult result = jalousie(mistake.words);
     std::string line;

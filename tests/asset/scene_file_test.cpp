@@ -2,6 +2,7 @@
 #include "asset/scene_file.h"
 
 #include <cmath>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "asset/asset_fixtures.h"
@@ -152,7 +153,7 @@ TEST(SceneFile, PointsAndLinesAreCountedNotDrawn) {
   tinygltf::Model model = oneTriangle();
   setPositions(model, TINYGLTF_MODE_LINE, {{0, 0, 0}, {1, 0, 0}});
   const SceneFile scene = flatten(model);
-  EXPECT_EQ(scene.skippedPrimitives, 1U);
+  EXPECT_EQ(scene.ignored, (ContentCounts{{"primitives of points and lines", 1}}));
   EXPECT_TRUE(scene.instances.empty());
   EXPECT_TRUE(scene.chains.empty());
 }
@@ -192,9 +193,99 @@ TEST(SceneFile, MaterialsAndTheirImages) {
   EXPECT_FLOAT_EQ(scene.materials[0].alphaCutoff, 0.3F);
   EXPECT_TRUE(scene.materials[0].doubleSided);
   ASSERT_EQ(scene.images.size(), 1U) << "only images that a base colour uses";
-  ASSERT_TRUE(scene.materials[0].image.has_value());
-  EXPECT_EQ(scene.images[*scene.materials[0].image].pixels, (std::vector<std::uint8_t>{10, 20, 30, 255}));
-  EXPECT_FALSE(scene.materials[1].image.has_value());
+  ASSERT_TRUE(scene.materials[0].baseTexture.has_value());
+  EXPECT_EQ(scene.images[scene.materials[0].baseTexture->image].pixels, (std::vector<std::uint8_t>{10, 20, 30, 255}));
+  EXPECT_FALSE(scene.materials[1].baseTexture.has_value());
+}
+
+/// One triangle with a material that has three textures of one picture.
+tinygltf::Model threeTextures() {
+  tinygltf::Model model = oneTriangle();
+  const std::vector<std::byte> png = encodePng({1, 1, {10, 20, 30, 255}});
+  tinygltf::Image image;
+  image.as_is = true;
+  const auto* first = reinterpret_cast<const unsigned char*>(png.data());
+  image.image.assign(first, first + png.size());
+  model.images.push_back(image);
+  tinygltf::Sampler sampler;
+  sampler.wrapS = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+  sampler.wrapT = TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
+  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_NEAREST;
+  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST;
+  model.samplers.push_back(sampler);
+  tinygltf::Texture texture;
+  texture.source = 0;
+  texture.sampler = 0;
+  model.textures.push_back(texture);
+  tinygltf::Material material;
+  material.pbrMetallicRoughness.baseColorTexture.index = 0;
+  material.pbrMetallicRoughness.baseColorTexture.texCoord = 1;
+  material.emissiveTexture.index = 0;
+  material.emissiveFactor = {0.5, 0.25, 1.0};
+  material.normalTexture.index = 0;
+  material.normalTexture.scale = 0.5;
+  model.materials.push_back(material);
+  model.meshes[0].primitives[0].material = 0;
+  return model;
+}
+
+tinygltf::Value object(std::initializer_list<std::pair<const std::string, tinygltf::Value>> members) {
+  return tinygltf::Value(tinygltf::Value::Object(members));
+}
+
+TEST(SceneFile, TexturesHaveSamplersTransformsAndTexCoords) {
+  tinygltf::Model model = threeTextures();
+  using Array = tinygltf::Value::Array;
+  model.materials[0].emissiveTexture.extensions["KHR_texture_transform"] =
+      object({{"offset", tinygltf::Value(Array{tinygltf::Value(0.25), tinygltf::Value(0.5)})},
+              {"rotation", tinygltf::Value(1.5707963267948966)},
+              {"scale", tinygltf::Value(Array{tinygltf::Value(2), tinygltf::Value(4)})},
+              {"texCoord", tinygltf::Value(1)}});
+  model.materials[0].extensions["KHR_materials_emissive_strength"] =
+      object({{"emissiveStrength", tinygltf::Value(3.0)}});
+  const SceneFile scene = flatten(model);
+  const Material& material = scene.materials[0];
+  ASSERT_TRUE(material.baseTexture && material.emissiveTexture && material.normalTexture);
+  EXPECT_EQ(scene.images.size(), 2U) << "normals have a picture of their own";
+  EXPECT_EQ(material.baseTexture->image, material.emissiveTexture->image);
+  EXPECT_NE(material.baseTexture->image, material.normalTexture->image);
+  const Sampling expected = {Wrap::kClamp, Wrap::kMirror, true, true, Mip::kNearest};
+  EXPECT_EQ(material.baseTexture->sampling, expected);
+  EXPECT_EQ(material.baseTexture->uvSet, 1U);
+  EXPECT_EQ(material.normalTexture->uvSet, 0U);
+  EXPECT_EQ(material.normalScale, 0.5F);
+  EXPECT_EQ(material.emission, glm::vec3(1.5F, 0.75F, 3.0F));
+  const TextureUse& turned = *material.emissiveTexture;
+  EXPECT_EQ(turned.uvSet, 1U);
+  EXPECT_EQ(turned.uvOffset, glm::vec2(0.25F, 0.5F));
+  // A quarter turn, after the scale: u becomes -v, v becomes u (specification of the extension).
+  EXPECT_NEAR(glm::distance(turned.uvAxes, glm::vec4(0.0F, -2.0F, 4.0F, 0.0F)), 0.0F, 1e-6F);
+  ASSERT_EQ(scene.meshes[0].primitives[0].uvs1.size(), scene.meshes[0].primitives[0].positions.size());
+}
+
+TEST(SceneFile, UnlitMaterialsHaveNoLightOfTheirOwn) {
+  tinygltf::Model model = threeTextures();
+  model.materials[0].extensions["KHR_materials_unlit"] = object({});
+  const Material material = flatten(model).materials[0];
+  EXPECT_TRUE(material.isUnlit && material.baseTexture);
+  EXPECT_FALSE(material.emissiveTexture || material.normalTexture);
+  EXPECT_EQ(material.emission, glm::vec3(0.0F));
+}
+
+TEST(SceneFile, BrokenExtensionsOfMaterialsAreMalformed) {
+  using Array = tinygltf::Value::Array;
+  const tinygltf::Value transforms[] = {
+      object({{"scale", tinygltf::Value(2.0)}}), object({{"offset", tinygltf::Value(Array{tinygltf::Value(1.0)})}}),
+      object({{"rotation", tinygltf::Value(std::string("left"))}}), object({{"rotation", tinygltf::Value(1e300)}})};
+  for (const tinygltf::Value& transform : transforms) {
+    tinygltf::Model model = threeTextures();
+    model.materials[0].normalTexture.extensions["KHR_texture_transform"] = transform;
+    EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kMalformed);
+  }
+  tinygltf::Model model = threeTextures();
+  model.materials[0].extensions["KHR_materials_emissive_strength"] =
+      object({{"emissiveStrength", tinygltf::Value(-1.0)}});
+  EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kMalformed);
 }
 
 TEST(SceneFile, AllPicturesTogetherHaveALimit) {
@@ -277,10 +368,56 @@ TEST(SceneFile, StepTrackDoublesItsKeys) {
   EXPECT_EQ(track.translations, (std::vector<glm::vec3>{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}));
 }
 
-TEST(SceneFile, SplineTrackIsReadAtItsKeys) {
-  const std::vector<glm::vec3> outputs = {{9, 9, 9}, {1, 2, 3}, {9, 9, 9}, {9, 9, 9}, {4, 5, 6}, {9, 9, 9}};
+/// Largest distance of a track from positions in the world that a function of the time gives.
+float worstOf(const CameraTrack& track, const std::function<glm::vec3(float)>& expected) {
+  float worst = 0.0F;
+  for (std::size_t i = 0; i < track.translations.size(); ++i)
+    worst = std::max(worst, glm::distance(track.translations.get()[i], expected(track.translationTimes.get()[i])));
+  return worst;
+}
+
+TEST(SceneFile, SplineTrackFollowsItsTangents) {
+  // In-tangent, value, out-tangent of two keys, a second apart; the parent stands at y = 10.
+  const glm::vec3 leaving(3, -2, 1);
+  const glm::vec3 arriving(-1, 4, 2);
+  const std::vector<glm::vec3> outputs = {{9, 9, 9}, {1, 2, 3}, leaving, arriving, {4, 5, 6}, {9, 9, 9}};
   const CameraTrack track = flatten(animatedCamera("CUBICSPLINE", outputs)).cameras.at(0).track;
-  EXPECT_EQ(track.translations, (std::vector<glm::vec3>{{1, 2, 3}, {4, 5, 6}}));
+  ASSERT_EQ(track.translations.size(), 31U) << "one second at 30 frames";
+  const auto hermite = [&](float t) {
+    return glm::vec3(0, 10, 0) + (2 * t * t * t - 3 * t * t + 1) * glm::vec3(1, 2, 3) +
+           (t * t * t - 2 * t * t + t) * leaving + (3 * t * t - 2 * t * t * t) * glm::vec3(4, 5, 6) +
+           (t * t * t - t * t) * arriving;
+  };
+  EXPECT_LT(worstOf(track, hermite), 1e-5F);
+}
+
+TEST(SceneFile, CameraMovesWithItsParent) {
+  tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
+  model.animations[0].channels[0].target_node = 0;  // as Blender's exporter does
+  model.nodes[1].rotation = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};
+  const Camera camera = flatten(model).cameras.at(0);
+  ASSERT_EQ(camera.track.translations.size(), 31U);
+  EXPECT_LT(worstOf(camera.track, [](float t) { return glm::mix(glm::vec3(1, 2, 8), glm::vec3(4, 5, 11), t); }), 1e-5F);
+  EXPECT_NEAR(camera.track.rotations.get()[7].y, std::sqrt(0.5F), 1e-6F);
+  EXPECT_EQ(camera.worldFromParent, glm::mat4(1.0F));
+}
+
+TEST(SceneFile, CamerasHaveNeitherScaleNorMirroring) {
+  tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
+  model.nodes[0].scale = {-2, 2, 2};
+  const Camera camera = flatten(model).cameras.at(0);
+  const glm::mat3 axes(camera.worldFromCamera);
+  EXPECT_NEAR(glm::determinant(axes), 1.0F, 1e-5F);
+  EXPECT_LT(glm::distance(axes[0], glm::vec3(1, 0, 0)) + glm::distance(axes[2], glm::vec3(0, 0, 1)), 1e-5F);
+  EXPECT_LT(worstOf(camera.track, [](float t) { return glm::mix(glm::vec3(-2, 14, 6), glm::vec3(-8, 20, 12), t); }),
+            1e-4F);
+}
+
+TEST(SceneFile, EndlessCameraPathsAreRefused) {
+  tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
+  model.animations[0].channels[0].target_node = 0;
+  model.animations[0].samplers[0].input = appendScalars(model, std::vector<float>{0.0F, 1e30F}, 0);
+  EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kLimit);
 }
 
 TEST(SceneFile, BrokenCamerasAndTracksAreMalformed) {

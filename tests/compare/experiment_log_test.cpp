@@ -59,7 +59,9 @@ Sample fullSample(std::uint32_t frame, std::size_t configuration) {
   s.lodHistogram = {5, 0, 9007199254740993ULL};
   sample.frameMs = 1.0 / 3.0;
   sample.passes = {{"cull", 0.1}, {"draw", 1e-300}, {"draw", 2.5}};
-  sample.error = ImageError{38.123456789012345, 0.1 + 0.2, 1.0 / 7.0, 2.0 / 3.0};
+  sample.error = ImageError{38.123456789012345, 0.1 + 0.2, 1.0 / 7.0, 1.0 / 3.0, 2.0 / 3.0};
+  sample.lost = 3;
+  sample.wrongPixels = 77;
   sample.visible = 77;
   sample.switched = 3;
   sample.temporal = 0.0123;
@@ -108,6 +110,8 @@ void expectSame(const Sample& a, const Sample& b) {
   EXPECT_EQ(a.visible, b.visible);
   EXPECT_EQ(a.switched, b.switched);
   EXPECT_EQ(a.temporal, b.temporal);
+  EXPECT_EQ(a.lost, b.lost);
+  EXPECT_EQ(a.wrongPixels, b.wrongPixels);
 }
 
 void expectSame(const Results& a, const Results& b) {
@@ -277,15 +281,15 @@ TEST_F(ExperimentLog, OfAnotherExperimentIsRefusedAndLeftAlone) {
 TEST_F(ExperimentLog, OfAnotherVersionIsRefused) {
   startLog(folder(), kFingerprint);
   std::string text = textOf(file());
-  const std::size_t at = text.find("\"log\":2");
+  const std::size_t at = text.find("\"log\":3");
   ASSERT_NE(at, std::string::npos);
   writeText(file(), text.replace(at, 7, "\"log\":999"));
   EXPECT_EQ(readingFailsWith(), ErrorCode::kUsage);
 }
 
 TEST_F(ExperimentLog, GarbageIsMalformed) {
-  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 2}\n", "\xFF\xFE\n",
-                           "{\"log\": 2, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
+  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 3}\n", "\xFF\xFE\n",
+                           "{\"log\": 3, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
     writeText(file(), text);
     EXPECT_EQ(readingFailsWith(), ErrorCode::kMalformed) << text;
   }
@@ -319,6 +323,7 @@ TEST_F(ExperimentLog, StepThatLosesAnyOfItsKeysIsMalformed) {
     const std::string key = text.substr(quote + 1, colon - quote - 1);
     // What a sample may lack. Its error stands before its time, that of the sweep behind.
     if (key == "visible" || key == "visible_switched" || key == "temporal_flip" || key == "butteraugli" ||
+        key == "flip_covered" || key == "lost" || key == "wrong_pixels" ||
         (key == "error" && quote < text.find("\"frame_ms\"", line)))
       continue;
     std::string broken = text;
@@ -347,7 +352,7 @@ struct Inputs {
     file.chains.push_back({"box", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
     test::addInstance(file, 1, {0, 1, 0}, glm::vec3(1));
     file.images.edit().push_back({2, 2, std::vector<std::uint8_t>(16, 100)});
-    file.materials.back().image = 0;
+    file.materials.back().baseTexture.emplace();
     path.track.translationTimes = {0.0F, 1.0F, 2.0F};
     path.track.translations = {{0, 0, 5}, {1, 0, 5}, {2, 1, 5}};
     path.track.rotationTimes = {0.0F, 2.0F};

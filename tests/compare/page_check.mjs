@@ -1,10 +1,9 @@
 // Checks a report's page in a browser: node page_check.mjs REPORT/index.html [--shots DIR]
 // Prints "ok NAME" or "FAIL NAME: why" per check; exit code 1 if any failed, 2 on wrong usage, 77 without a browser.
-import { spawn } from 'node:child_process';
-import { accessSync, constants, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { delimiter, join, resolve } from 'node:path';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { Browser, sleep } from '../support/browser.mjs';
 
 const WIDE = { width: 1280, height: 800 };
 const NARROW = { width: 390, height: 844 };
@@ -14,7 +13,7 @@ const KEYS = {
   End: '\uE010',
 };
 
-// Arguments and programs -----------------------------------------------------
+// Arguments -----------------------------------------------------
 
 const args = process.argv.slice(2);
 const shotsAt = args.indexOf('--shots');
@@ -25,91 +24,12 @@ if (args.length !== 1 || (shotsAt >= 0 && !shots) || !existsSync(args[0])) {
 }
 const page = pathToFileURL(resolve(args[0])).href;
 
-function program(variable, ...names) {
-  const runs = (file) => {
-    try {
-      accessSync(file, constants.X_OK);
-      return true;
-    } catch {
-      return false;
-    }
-  };
-  const given = process.env[variable];
-  const folders = ['/usr/bin', ...(process.env.PATH ?? '').split(delimiter)];
-  const files = given ? [given, ...folders.map((f) => join(f, given))]
-    : names.flatMap((name) => folders.map((f) => join(f, name)));
-  return files.find(runs) ?? null;
-}
-const driverProgram = program('CHROMEDRIVER', 'chromedriver');
-const browserProgram = program('CHROMIUM', 'chromium', 'chromium-browser', 'google-chrome');
-if (!driverProgram || !browserProgram) {
-  const missing = driverProgram ? 'chromium' : 'chromedriver';
-  console.log(`skipped: ${missing} not found (Debian packages chromium and chromium-driver)`);
-  process.exit(77);
-}
-
 // The browser ----------------------------------------------------------------
 
-const folder = mkdtempSync(join(tmpdir(), 'page-check-'));
-let driver = null;
-let session = null;
-let address = null;
-
-async function request(method, path, body) {
-  const response = await fetch(address + path,
-    { method, body: body && JSON.stringify(body), headers: { 'content-type': 'application/json' } });
-  const { value } = await response.json();
-  if (value?.error) throw new Error(`${value.error}: ${value.message.split('\n')[0]}`);
-  return value;
-}
-const command = (path, body = {}) => request('POST', `/session/${session}${path}`, body);
-const run = (script, ...values) => command('/execute/sync', { script, args: values });
-const devtools = (cmd, params = {}) => command('/goog/cdp/execute', { cmd, params });
-const sleep = (ms) => new Promise((done) => { setTimeout(done, ms); });
-
-async function start() {
-  // A process group of its own, so that the check can end the driver together with its browser.
-  driver = spawn(driverProgram, ['--port=0'], { detached: true, stdio: ['ignore', 'pipe', 'ignore'] });
-  const port = await new Promise((done, fail) => {
-    let text = '';
-    driver.on('error', fail);
-    driver.on('exit', () => fail(new Error('chromedriver ended')));
-    driver.stdout.on('data', (part) => {
-      text += part;
-      const found = /successfully on port (\d+)\./.exec(text);
-      if (found) done(found[1]);
-    });
-  });
-  address = `http://127.0.0.1:${port}`;
-  const options = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--hide-scrollbars',
-    '--no-first-run', `--user-data-dir=${join(folder, 'profile')}`];
-  const made = await request('POST', '/session', { capabilities: { alwaysMatch: {
-    browserName: 'chrome',
-    'goog:loggingPrefs': { browser: 'ALL' },
-    'goog:chromeOptions': { binary: browserProgram, args: options },
-  } } });
-  session = made.sessionId;
-}
-
-function stop() {
-  if (driver?.pid) {
-    try {
-      process.kill(-driver.pid, 'SIGKILL');
-    } catch { /* gone already */ }
-  }
-  rmSync(folder, { recursive: true, force: true, maxRetries: 10, retryDelay: 100 });
-}
-async function end(code) {
-  if (session) await Promise.race([request('DELETE', `/session/${session}`).catch(() => {}), sleep(3000)]);
-  stop();
-  process.exit(code);
-}
-for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => { stop(); process.exit(1); });
-setTimeout(() => {
-  console.log(`FAIL time: not done after ${MOST_SECONDS} s`);
-  stop();
-  process.exit(1);
-}, MOST_SECONDS * 1000).unref();
+const browser = new Browser(MOST_SECONDS, ['--disable-gpu']);
+const command = (...words) => browser.command(...words);
+const run = (...words) => browser.run(...words);
+const devtools = (...words) => browser.devtools(...words);
 
 // Input ----------------------------------------------------------------------
 
@@ -219,6 +139,27 @@ async function content(facts) {
     expect(JSON.stringify(rows) === JSON.stringify(facts.names), `rows ${rows}`);
     const options = await texts('#results .options code');
     expect(JSON.stringify(options) === JSON.stringify(facts.options.filter(Boolean)), 'options are not shown');
+  });
+  await check('recommendation', async () => {
+    const { losers, marked, named, strict, loose } = await run(`
+      const { summary } = JSON.parse(document.getElementById('data').textContent);
+      const lead = document.getElementById('lead');
+      const first = () => lead.querySelector('.name')?.textContent ?? null;
+      const input = document.getElementById('limit');
+      const at = (value) => {
+        if (!input) return first();
+        input.value = value;
+        input.dispatchEvent(new Event('input'));
+        return first();
+      };
+      const before = input?.value;
+      const shown = { losers: summary.configurations.filter((c) => c.lost?.pixels_most > 0).map((c) => c.name),
+        marked: [...document.querySelectorAll('#results .loses')].map((n) => n.closest('th').querySelector('.owner').textContent),
+        named: first(), strict: at(-3), loose: at(0) };
+      at(before);
+      return shown;`);
+    for (const name of [named, strict, loose]) expect(!losers.includes(name), `${name} loses objects and is recommended`);
+    expect(JSON.stringify(losers) === JSON.stringify(marked), `marked ${marked}, losing ${losers}`);
   });
   await check('no broken numbers', async () => {
     const found = await run(`const main = document.querySelector('main').cloneNode(true);
@@ -496,7 +437,7 @@ async function wholePage(facts) {
 }
 
 async function main() {
-  await start();
+  await browser.start();
   await size(WIDE);
   await media({ 'prefers-color-scheme': 'light' });
   let opened = false;
@@ -551,4 +492,4 @@ try {
   ++failures;
   console.log(`FAIL run: ${error.message}`);
 }
-await end(failures > 0 ? 1 : 0);
+await browser.end(failures > 0 ? 1 : 0);

@@ -91,7 +91,7 @@ Results wholeResults() {
       sample.statistics.culledOcclusion = 5;
       sample.statistics.lodHistogram = {10, 20 + c};
       sample.passes = {{"cull", 1.0}, {"draw", 4.0}};
-      sample.error = ImageError{40.0, 0.98, 0.02, 1.0 + frame};
+      sample.error = ImageError{40.0, 0.98, 0.02, 0.04, 1.0 + frame};
       sample.visible = 20;
       sample.switched = 3;
       results.samples.push_back(sample);
@@ -311,18 +311,18 @@ TEST(ParetoFront, IsWhatNoPointDominates) {
 
 TEST(SummaryJson, KeysAreStable) {
   const ordered_json summary = summaryOf(wholeResults(), {"one", "two"});
-  EXPECT_EQ(keysOf(summary), (Keys{"version", "complete", "scene", "path", "command", "renderer", "timing", "width",
+  EXPECT_EQ(keysOf(summary), (Keys{"version", "complete", "scene", "path", "command", "renderer", "timing", "ignored", "width",
                                    "height", "frames", "reference", "pixels_per_degree", "baseline", "triangles_full",
                                    "objects", "configurations", "sweep"}));
   EXPECT_EQ(keysOf(summary["frames"]), (Keys{"first", "last", "step", "count", "lead", "kept"}));
   for (const ordered_json& c : summary["configurations"]) {
     EXPECT_EQ(keysOf(c), (Keys{"name", "options", "frames", "triangles", "triangles_total", "triangles_ratio",
                                "frame_ms", "frame_ratio", "passes_ms", "draws", "drawn", "culled_frustum",
-                               "culled_occlusion", "lod_histogram_mean", "error", "popping"}));
+                               "culled_occlusion", "lod_histogram_mean", "lost", "error", "popping"}));
     for (const char* spread : {"triangles", "triangles_ratio", "frame_ms", "frame_ratio", "draws", "drawn",
                                "culled_frustum", "culled_occlusion"})
       EXPECT_EQ(keysOf(c[spread]), (Keys{"median", "q1", "q3"})) << spread;
-    EXPECT_EQ(keysOf(c["error"]), (Keys{"flip", "psnr", "ssim", "butteraugli"}));
+    EXPECT_EQ(keysOf(c["error"]), (Keys{"flip", "flip_covered", "psnr", "ssim", "butteraugli"}));
     EXPECT_EQ(keysOf(c["error"]["butteraugli"]), (Keys{"mean", "largest"}));
     EXPECT_EQ(keysOf(c["error"]["flip"]), (Keys{"mean", "largest"}));
     EXPECT_EQ(keysOf(c["error"]["psnr"]), (Keys{"mean", "least"}));

@@ -8,6 +8,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { deflateSync } from 'node:zlib';
+import { PNG_SIGNATURE, pngChunk, pngHeader } from '../support/png.mjs';
 import { reasonsOf, runtimeOf } from './reasons.mjs';
 
 if (process.argv.length !== 3) {
@@ -154,24 +155,6 @@ function withBuffer([uri, side = {}, changes = {}]) {
 }
 
 // Images ---------------------------------------------------------------------
-
-function crc32(data) {
-  let crc = -1;
-  for (const byte of data) {
-    crc ^= byte;
-    for (let i = 0; i < 8; i++) crc = crc >>> 1 ^ (crc & 1 ? 0xEDB88320 : 0);
-  }
-  return ~crc;
-}
-
-function pngChunk(name, data) {
-  const named = Buffer.concat([text(name), data]);
-  return Buffer.concat([u32be(data.length), named, u32be(crc32(named))]);
-}
-
-const PNG_SIGNATURE = Buffer.concat([bytes(0x89), text('PNG\r\n\x1A\n')]);
-const pngHeader = (width, height, depth, color) =>
-  pngChunk('IHDR', Buffer.concat([u32be(width, height), bytes(depth, color, 0, 0, 0)]));
 
 /** A PNG of one grey pixel, whatever its header says. */
 function png({ width = 1, height = 1, depth = 8, color = 0 } = {}) {
@@ -526,7 +509,7 @@ group('nodes', 5, inTriangle, [
     '/nodes': Array.from({ length: 41 }, (_, i) => (i < 40 ? { children: [i + 1, i + 1] } : { mesh: 0 })),
   }],
   ['root-is-child', 'a scene lists a node that is a child',
-    { '/nodes': [{ mesh: 0, children: [1] }, {}], '/scenes/0/nodes': [0, 1] }],
+    { '/nodes': [{ mesh: 0, children: [1] }, {}], '/scenes/0/nodes': [0, 1] }, 0],
   ['root-twice', 'a scene lists a node twice', { '/scenes/0/nodes': [0, 0] }],
   ['child-9', 'a child is out of range', { '/nodes/0/children': [9] }],
   ['matrix-15', 'a matrix has 15 numbers', { '/nodes/0/matrix': Array(15).fill(1) }],

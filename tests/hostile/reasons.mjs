@@ -123,7 +123,6 @@ const REASONS = [
   ['the node hierarchy has a cycle', 'nodes-own-child nodes-two-cycle nodes-cycle-unreachable'],
   ['node 2 has two parents', 'nodes-two-parents'],
   ['node 1 has two parents', 'nodes-child-twice nodes-explosion'],
-  ['scene node 1 is no root', 'nodes-root-is-child'],
   ['scene lists node 0 twice', 'nodes-root-twice'],
   ['child node 9 is out of range, there are 1', 'nodes-child-9'],
   ['nodes 0: "matrix" is not a list of 16 numbers', 'nodes-matrix-15'],
@@ -289,6 +288,7 @@ const REASONS = [
 
 // Where the commands that draw decide otherwise than jalousie-bake: they read what the baker passes through.
 const RUNTIME = [
+  [0, null, 'image-uri-absent'],
   [4, 'not a regular file', 'input-folder-glb'],
   [5, 'attribute is not finite', 'accessor-positions-nan'],
   [7, '--max-memory', 'memory-instances'],

@@ -71,7 +71,7 @@ TEST_F(GoldenGl, MaskedBlendedMirroredAndTexturedSurfaces) {
   file.images.edit().push_back(checker);
   for (const asset::AlphaMode mode : {asset::AlphaMode::kOpaque, asset::AlphaMode::kMask, asset::AlphaMode::kBlend}) {
     asset::Material material;
-    material.image = 0;
+    material.baseTexture.emplace();
     material.alphaMode = mode;
     material.doubleSided = mode != asset::AlphaMode::kOpaque;
     const auto index = static_cast<std::uint32_t>(file.materials.size());
@@ -104,7 +104,7 @@ TEST_F(GoldenGl, TexturesOfDifferentSizesKeepTheirColours) {
       if (p % 4 < 3) image.pixels[p] = colors[i][p % 4];
     file.images.edit().push_back(image);
     asset::Material material;
-    material.image = i;
+    material.baseTexture.emplace().image = i;
     file.materials.push_back(material);
     file.meshes.push_back({"box", {test::box(glm::vec3(0.5F), i + 1)}});
     file.chains.push_back({"box", {{i + 1, 0.0F}}});

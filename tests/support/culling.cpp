@@ -143,7 +143,7 @@ asset::SceneFile leafCards(std::uint32_t cards, std::uint32_t spheres, std::uint
   }
   file.images.edit().push_back(leaves);
   asset::Material material;
-  material.image = 0;
+  material.baseTexture.emplace();
   material.alphaMode = asset::AlphaMode::kMask;
   material.doubleSided = true;
   file.materials.push_back(material);

@@ -72,9 +72,21 @@ const std::map<std::string, Layout>& expectedLayouts() {
       {"BinBlock", {sizeof(gpu::Bin), {JAL_FIELD("bins[0].", Bin, chain), JAL_FIELD("bins[0].", Bin, bin)}}},
       {"MaterialBlock",
        {sizeof(gpu::Material),
-        {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, layer),
+        {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, emission),
          JAL_FIELD("materials[0].", Material, flags), JAL_FIELD("materials[0].", Material, alphaCutoff),
-         JAL_FIELD("materials[0].", Material, textureClass)}}},
+         JAL_FIELD("materials[0].", Material, reserved0), JAL_FIELD("materials[0].", Material, reserved1),
+         JAL_FIELD("materials[0].", Material, base.uvAxes),
+         JAL_FIELD("materials[0].", Material, base.uvOffset),
+         JAL_FIELD("materials[0].", Material, base.place),
+         JAL_FIELD("materials[0].", Material, base.sampling),
+         JAL_FIELD("materials[0].", Material, emissive.uvAxes),
+         JAL_FIELD("materials[0].", Material, emissive.uvOffset),
+         JAL_FIELD("materials[0].", Material, emissive.place),
+         JAL_FIELD("materials[0].", Material, emissive.sampling),
+         JAL_FIELD("materials[0].", Material, normals.uvAxes),
+         JAL_FIELD("materials[0].", Material, normals.uvOffset),
+         JAL_FIELD("materials[0].", Material, normals.place),
+         JAL_FIELD("materials[0].", Material, normals.sampling)}}},
       {"CommandBlock",
        {sizeof(gpu::DrawCommand),
         {JAL_FIELD("commands[0].", DrawCommand, count), JAL_FIELD("commands[0].", DrawCommand, instanceCount),
@@ -246,6 +258,7 @@ TEST_F(SharedStructsGl, EveryProgramOfTheTablesAgreesWithTheCppLayout) {
   for (const gl::ProgramSource& source : render::programTable()) {
     checkProgram(source, seen);
     if (capabilities.drawParameters) checkProgram(gl::withDefine(source, render::kDrawParametersDefine), seen);
+    checkProgram(gl::withDefine(source, render::kFullMaterialsDefine), seen);
   }
   for (const auto& [name, layout] : expectedLayouts())
     EXPECT_TRUE(seen.contains(name)) << name << " is used by no program";

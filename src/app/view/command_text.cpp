@@ -34,6 +34,8 @@ std::string methodOptions(const RenderOptions& options) {
 std::string renderCommand(const RenderOptions& options, const std::string& output) {
   std::string text = "jalousie render " + shellQuoted(options.scene.string());
   if (!options.path.empty()) text += " --path " + shellQuoted(options.path.string());
+  if (options.time) text += fmt::format(" --time {}", *options.time);
+  if (!options.camera.empty()) text += " --camera " + shellQuoted(options.camera);
   text += frame("--frame", options.frame) + point("--eye", options.eye) + point("--look", options.look);
   text += frame("--freeze-frame", options.freezeFrame) + point("--freeze-eye", options.freezeEye) +
           point("--freeze-look", options.freezeLook);

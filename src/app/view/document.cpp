@@ -10,7 +10,9 @@
 #include <set>
 
 #include "app/command_memory.h"
+#include "app/path_camera.h"
 #include "app/render_option_table.h"
+#include "app/warnings.h"
 #include "asset/image_io.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -61,6 +63,8 @@ void Side::resize(std::uint32_t width, std::uint32_t height) {
 CameraChoice CameraChoice::of(const RenderOptions& options) {
   CameraChoice choice;
   choice.path = options.path;
+  choice.camera = options.camera;
+  choice.time = options.time;
   choice.frame = options.frame;
   choice.freezeFrame = options.freezeFrame;
   if (options.eye && options.look) choice.pose = Pose{*options.eye, *options.look};
@@ -70,6 +74,8 @@ CameraChoice CameraChoice::of(const RenderOptions& options) {
 
 void CameraChoice::applyTo(RenderOptions& options) const {
   options.path = path;
+  options.camera = pose ? std::string() : camera;
+  options.time = time;
   options.frame = frame;
   options.freezeFrame = freezeFrame;
   options.eye = pose ? std::optional(pose->eye) : std::nullopt;
@@ -87,8 +93,10 @@ void Document::read() {
   try {
     asset::SceneFile read = readWithin(
         file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
-        [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); });
+        {.observer = [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); },
+         .seconds = camera.time});
     watchThem();
+    warnIgnored(file_, read.ignored);
     const scene::SceneData flat = scene::buildScene(read);
     boundsWorld_ = flat.boundsWorld;
     scene_ = std::move(read);
@@ -130,9 +138,11 @@ void Document::loadPath(bool refusesFrames) {
   try {
     path_ = camera.path.empty() ? scene_->cameras : readWithin(camera.path, memory_, readingNeeds).cameras;
     if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
+    path_ = chosenFirst(std::move(path_), camera.camera, camera.path.empty() ? file_ : camera.path);
   } catch (const Error& error) {
     fail(kPath, error);
     camera.path.clear();
+    camera.camera.clear();
     path_ = scene_->cameras;
   }
   if (path_.empty() && (camera.frame || camera.freezeFrame))

@@ -19,7 +19,7 @@ function ramp(kind, title, ...ends) {
 /// Two pictures on top of each other, behind a split or in turn.
 class Viewer {
   constructor(section) {
-    const chosen = candidate();
+    const chosen = subject();
     const flipOf = (k) => valueAt(chosen, 'flip', k.frame) ?? -1;
     this.section = section;
     this.at = kept.reduce((worst, k, i) => (flipOf(k) > flipOf(kept[worst]) ? i : worst), 0);

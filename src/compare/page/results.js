@@ -45,39 +45,93 @@ function contents() {
 
 // Results ------------------------------------------------------------------
 
-/// The configuration that the first sentence is about: the one with the fewest triangles, other than the baseline.
-function candidate() {
-  const others = configurations.map((_, i) => i).filter((i) => i !== baseline && configurations[i].frames > 0);
-  if (others.length === 0) return baseline;
-  const share = (i) => configurations[i].triangles_ratio.median;
-  return others.reduce((a, b) => (share(b) < share(a) ? b : a));
+/// Whether culling left out something that is visible.
+const loses = (c) => c.lost?.pixels_most > 0;
+const largestFlip = (c) => c?.error?.flip_covered?.largest ?? c?.error?.flip?.largest ?? null;
+const flipName = configurations.some((c) => c.error?.flip_covered) ? 'FLIP over covered pixels' : 'FLIP';
+const compared = configurations.some((c) => c.error);
+
+/// The limit that is shown first: the error of the baseline, rounded up to two digits.
+function firstLimit() {
+  const error = largestFlip(base) ?? 0.05;
+  const unit = 10 ** (Math.floor(Math.log10(Math.max(error, 0.001))) - 1);
+  return Math.min(Math.max(Math.ceil(error / unit) * unit, 0.001), 1);
 }
 
-const meanFlip = (c) => c?.error?.flip?.mean ?? null;
+const costs = new Map([
+  ['triangles', { noun: 'triangles', of: (c) => c.triangles_ratio.median }],
+  ['time', { noun: timeName, of: (c) => c.frame_ratio.median }],
+]);
 
-function leadSentence() {
-  const c = configurations[candidate()];
-  if (!c || !measured) return ['Nothing has been measured yet.'];
-  if (c === base) {
-    const flip = meanFlip(c);
-    return [named(c.name), ` draws ${count(c.triangles.median)} triangles${measured > 1 ? ' per frame' : ''}`,
-      summary.triangles_full ? ` of ${count(summary.triangles_full)} at the finest level` : '',
-      flip == null ? '. Pictures were not compared.' : `, with a FLIP of ${small(flip)}.`];
-  }
-  const share = c.triangles_ratio.median;
-  const parts = share < 0.995
-    ? [named(c.name), ` draws ${percent(share)} of the triangles of `, named(base.name), ' (the baseline)']
-    : ['No configuration draws fewer triangles than ', named(base.name), ' (the baseline); ', named(c.name),
-      ` draws ${percent(share)} of them`];
-  const time = c.frame_ratio;
-  const differs = time.q3 < 1 || time.q1 > 1;
-  if (time.median > 0 && differs) parts.push(` in ${percent(time.median)} of its ${timeName}`);
-  else if (time.median > 0) parts.push(`, with no clear difference in ${timeName} (median ${percent(time.median)})`);
-  const [flip, baseFlip] = [meanFlip(c), meanFlip(base)];
-  if (flip == null) parts.push('. Pictures were not compared.');
-  else if (small(flip) === small(baseFlip)) parts.push(`, with the same FLIP (${small(flip)}).`);
-  else parts.push(`, with a FLIP of ${small(flip)}${baseFlip == null ? '' : ` instead of ${small(baseFlip)}`}.`);
-  return parts;
+/// The cheapest configuration that loses nothing and whose worst frame is within the limit; null if there is none.
+function recommended(limit, cost) {
+  const fit = configurations.filter((c) => c.frames > 0 && !loses(c) && largestFlip(c) != null && largestFlip(c) <= limit);
+  return fit.length === 0 ? null : fit.reduce((a, b) => (cost.of(b) < cost.of(a) ? b : a));
+}
+
+/// Index of the configuration whose pictures are shown first: the recommended one, or the cheapest rival of the
+/// baseline, of those that lose nothing if there are any.
+function subject() {
+  const cost = costs.get('triangles');
+  const pick = compared ? recommended(firstLimit(), cost) : null;
+  if (pick && pick !== base) return configurations.indexOf(pick);
+  const others = configurations.filter((c) => c !== base && c.frames > 0);
+  const honest = others.filter((c) => !loses(c));
+  const rivals = honest.length > 0 ? honest : others;
+  return rivals.length === 0 ? baseline
+    : configurations.indexOf(rivals.reduce((a, b) => (cost.of(b) < cost.of(a) ? b : a)));
+}
+
+function leadSentence(limit, cost) {
+  if (!measured) return ['Nothing has been measured yet.'];
+  if (!compared) return ['Pictures were not compared, so no configuration is recommended.'];
+  const start = `Within a ${flipName} of ${small(limit)} in the worst frame, `;
+  const c = recommended(limit, cost);
+  if (!c) return [start, 'no configuration shows every visible object.'];
+  const share = cost.of(c);
+  const rivals = configurations.filter((other) => other !== c && !loses(other) && largestFlip(other) <= limit);
+  const rest = c === base
+    ? [rivals.length > 0 ? 'nothing is cheaper than ' : 'only ', named(c.name), ' (the baseline)',
+      rivals.length > 0 ? '' : ' is left', '.']
+    : [named(c.name), ` is the cheapest: ${percent(share)} of the ${cost.noun} of `, named(base.name),
+      ` (the baseline), with ${small(largestFlip(c))} instead of ${small(largestFlip(base))}.`];
+  return [start, ...rest];
+}
+
+const several = (number, noun) => `${whole(number)} ${noun}${number === 1 ? '' : 's'}`;
+
+/// Which configurations are never recommended, and why; null if there are none.
+function losers() {
+  const all = configurations.filter(loses);
+  if (all.length === 0) return null;
+  const texts = all.map((c, i) => [i > 0 ? ', ' : '', named(c.name),
+    ` (up to ${several(c.lost.objects_most, 'object')}, ${several(c.lost.pixels_most, 'pixel')} in a frame)`]);
+  return ['Not recommended, because culling leaves out what is visible: ', ...texts, '.'];
+}
+
+/// The sentence with its error limit and its cost, which the reader can change.
+function recommendation() {
+  const lead = byId('lead');
+  const setting = { limit: firstLimit(), cost: 'triangles' };
+  const shown = element('output', { for: 'limit' });
+  const show = () => {
+    lead.replaceChildren(...leadSentence(setting.limit, costs.get(setting.cost)));
+    shown.textContent = small(setting.limit);
+  };
+  show();
+  if (!measured || !compared) return;
+  const input = element('input', { type: 'range', id: 'limit', min: -3, max: 0, step: 0.01,
+    value: Math.log10(setting.limit), 'aria-label': `largest ${flipName}` });
+  input.addEventListener('input', () => {
+    setting.limit = Number((10 ** Number(input.value)).toPrecision(2));
+    show();
+  });
+  const cost = choice('cost', 'Cost', [['triangles', 'triangles'], ['time', timeName]], setting.cost, (value) => {
+    setting.cost = value;
+    show();
+  });
+  lead.after(element('div', { class: 'limit' },
+    element('label', { for: 'limit' }, `Largest ${flipName}, worst frame`), input, shown, cost.node));
 }
 
 /// The sweep's result in one sentence, at the first of three FLIP values that the baseline's curve reaches.
@@ -86,7 +140,8 @@ function equalQuality() {
   const order = [1, 2, 0].map((i) => rows[i]).filter(Boolean);
   for (const row of order) {
     const own = row.triangles[base.name];
-    const others = Object.entries(row.triangles).filter(([name, v]) => name !== base.name && v != null);
+    const others = Object.entries(row.triangles)
+      .filter(([name, v]) => name !== base.name && v != null && !loses(configurations[indexOf.get(name)] ?? {}));
     if (own == null || own <= 0 || others.length === 0) continue;
     const [name, least] = others.reduce((a, b) => (b[1] < a[1] ? b : a));
     const start = `At a FLIP of ${row.flip}, `;
@@ -125,7 +180,12 @@ function resultColumns() {
       note: (i) => (configurations[i].frames > 1 && extreme(i) !== mean(i) ? `${sign}\u2009${extreme(i)}` : null),
     };
   };
+  const lost = (head, key) => ({
+    group: 'Lost', head, better: -1, key: of((c) => c.lost?.[key]), cell: (i) => whole(of((c) => c.lost?.[key])(i)),
+  });
   return [
+    lost('objects', 'objects_most'),
+    lost('pixels', 'pixels_most'),
     spread('Triangles', 'median', 'triangles', count),
     shareOf('Triangles', 'triangles_ratio'),
     spread(capital(timeName), 'ms', 'frame_ms', milliseconds),
@@ -133,6 +193,7 @@ function resultColumns() {
     spread('Drawn', 'commands', 'draws', count),
     spread('Drawn', 'objects', 'drawn', count),
     error('FLIP', 'flip', 'largest', '\u2264', small, -1),
+    error('covered', 'flip_covered', 'largest', '\u2264', small, -1),
     error('PSNR', 'psnr', 'least', '\u2265', decibel, 1),
     error('SSIM', 'ssim', 'least', '\u2265', small, 1),
     error('Butteraugli', 'butteraugli', 'largest', '\u2264', small, -1),
@@ -144,9 +205,9 @@ function resultColumns() {
 }
 
 function results() {
-  byId('lead').append(...leadSentence());
-  const second = equalQuality();
-  if (second) byId('lead').after(element('p', { class: 'second' }, second));
+  recommendation();
+  for (const sentence of [losers(), equalQuality()].filter(Boolean))
+    byId('results').append(element('p', { class: 'second' }, sentence));
   const columns = resultColumns();
   const groups = element('tr', null, element('th', { class: 'corner', scope: 'col', rowspan: 2 }, 'configuration'));
   const heads = element('tr');
@@ -164,22 +225,23 @@ function results() {
     const c = configurations[index];
     const partial = summary.complete === false && c.frames < measured ? `${whole(c.frames)} frames` : null;
     const notes = [index === baseline && rows.length > 1 ? 'baseline' : null, partial].filter(Boolean).join(', ');
-    const title = element('th', { scope: 'row' }, owner(index), notes ? element('small', null, notes) : null);
+    const title = element('th', { scope: 'row' }, owner(index), notes ? element('small', null, notes) : null,
+      loses(c) ? element('small', { class: 'loses' }, 'loses visible objects') : null);
     const options = element('td', { colspan: columns.length + 1 }, element('code', null, c.options ?? ''));
     table.append(element('tbody', null,
       element('tr', null, title, columns.map((column, k) => cell(column, index, marks[k]))),
       c.options ? element('tr', { class: 'options' }, options) : null));
   }
   const many = measured > 1;
-  const compared = configurations.some((c) => c.error);
   const text = [many ? `Medians over ${whole(measured)} frames, with the quartiles below.` : 'One frame.'];
   if (rows.length > 1) {
     const where = many ? ' in the same frame' : '';
     text.push(`Ratios are to the baseline${where}. The best value of each column is marked.`);
   }
   text.push(compared
-    ? `Errors are means${many ? ', with the worst frame below' : ''}. Smaller is better for FLIP, larger for PSNR (dB) `
-      + 'larger for PSNR (dB) and SSIM.'
+    ? `Errors are means${many ? ', with the worst frame below' : ''}; \u201ccovered\u201d is the FLIP over the pixels that `
+      + 'show an object. Smaller is better for FLIP, larger for PSNR (dB) and SSIM. Lost: what culling left out in the '
+      + 'worst frame although nothing hides it.'
     : 'Pictures were not compared, so the table has no errors and no popping.');
   if (columns.some((c) => c.group === 'Popping'))
     text.push('Popping: LOD switches per visible object and frame; FLIP of the worst pixel while the camera is frozen; '

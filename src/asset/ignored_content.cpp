@@ -1,0 +1,116 @@
+// Walks over materials, meshes, nodes, cameras and animations once.
+#include "asset/ignored_content.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "asset/scene_material.h"
+
+namespace jalousie::asset {
+namespace {
+
+/// Extensions that are drawn, or that say nothing about what is drawn.
+constexpr std::array kDrawn = {
+    "EXT_mesh_gpu_instancing",   "EXT_meshopt_compression",   "EXT_texture_webp",      "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",       "KHR_mesh_quantization",     "KHR_meshopt_compression", "KHR_texture_transform",
+    "KHR_xmp_json_ld",           "MSFT_lod",                  "KHR_draco_mesh_compression"};
+
+class Counter {
+ public:
+  Counter(const tinygltf::Model& model, bool isTimed) : model_(model), isTimed_(isTimed) {}
+
+  ContentCounts count() {
+    for (const tinygltf::Material& material : model_.materials)
+      countMaterial(material);
+    for (const tinygltf::Texture& texture : model_.textures)
+      countExtensions(texture.extensions);
+    for (const tinygltf::Image& image : model_.images)
+      countIf(image.image.empty(), "missing pictures");
+    for (const tinygltf::Mesh& mesh : model_.meshes)
+      countMesh(mesh);
+    for (const tinygltf::Node& node : model_.nodes)
+      countNode(node);
+    for (const tinygltf::Animation& animation : model_.animations)
+      countAnimation(animation);
+    for (const std::string& name : model_.extensionsUsed)  // those of the document alone
+      if (!isDrawn(name) && !seen_.contains(name)) ++counts_[shortName(name)];
+    return std::move(counts_);
+  }
+
+ private:
+  static bool isDrawn(std::string_view name) { return std::find(kDrawn.begin(), kDrawn.end(), name) != kDrawn.end(); }
+
+  /// "clearcoat" of KHR_materials_clearcoat, "lights" of KHR_lights_punctual; else the whole name.
+  static std::string shortName(const std::string& name) {
+    constexpr std::string_view kMaterials = "KHR_materials_";
+    if (name.starts_with(kMaterials)) return name.substr(kMaterials.size());
+    return name == "KHR_lights_punctual" ? "lights" : name;
+  }
+
+  void countExtensions(const tinygltf::ExtensionMap& extensions) {
+    for (const auto& [name, value] : extensions) {
+      seen_.insert(name);
+      if (!isDrawn(name)) ++counts_[shortName(name)];
+    }
+  }
+
+  void countIf(bool condition, const char* name) {
+    if (condition) ++counts_[name];
+  }
+
+  void countMaterial(const tinygltf::Material& material) {
+    countExtensions(material.extensions);
+    const detail::MaterialTextures drawn = detail::texturesOf(model_, material);
+    countIf(material.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0, "textures of metalness and roughness");
+    countIf(material.occlusionTexture.index >= 0, "textures of occlusion");
+    countIf(material.pbrMetallicRoughness.baseColorTexture.index >= 0 && !drawn.base, "textures of base colour");
+    if (material.extensions.contains("KHR_materials_unlit")) return;
+    countIf(material.normalTexture.index >= 0 && !drawn.normals, "textures of normals");
+  }
+
+  void countMesh(const tinygltf::Mesh& mesh) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      countExtensions(primitive.extensions);
+      countIf(primitive.mode >= 0 && primitive.mode < TINYGLTF_MODE_TRIANGLES, "primitives of points and lines");
+    }
+    countExtensions(mesh.extensions);
+  }
+
+  void countNode(const tinygltf::Node& node) {
+    countExtensions(node.extensions);
+    countIf(node.camera >= 0 && model_.cameras[static_cast<std::size_t>(node.camera)].type == "orthographic",
+            "orthographic cameras");
+  }
+
+  /// Channels that move something else than a camera.
+  void countAnimation(const tinygltf::Animation& animation) {
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      if (channel.target_node < 0) continue;  // counted as KHR_animation_pointer
+      const bool isCamera = model_.nodes[static_cast<std::size_t>(channel.target_node)].camera >= 0 &&
+                            (channel.target_path == "translation" || channel.target_path == "rotation");
+      countIf(!isCamera && !isTimed_, "animation channels");
+    }
+  }
+
+  const tinygltf::Model& model_;
+  bool isTimed_;
+  ContentCounts counts_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+ContentCounts ignoredContent(const tinygltf::Model& model, bool isTimed) { return Counter(model, isTimed).count(); }
+
+std::string toText(const ContentCounts& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
+  return text;
+}
+
+}  // namespace jalousie::asset

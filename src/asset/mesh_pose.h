@@ -1,0 +1,39 @@
+// Meshes that skins bend and morph targets move.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "asset/accessor_budget.h"
+
+namespace jalousie::asset::detail {
+
+/// How a mesh is bent at a time. Default: not at all.
+struct MeshPose {
+  std::vector<glm::dmat4> worldFromMesh;  ///< by joint of the skin, inverse bind matrices applied; empty: no skin
+  std::vector<double> weights;            ///< of the morph targets
+
+  bool isRest() const;
+  /// The most by which a length of the mesh grows.
+  double largestScale() const;
+};
+
+/// Attributes of a primitive while it is read.
+struct PosedVertices {
+  std::vector<glm::vec3>& positions;
+  std::vector<glm::vec3>& normals;  ///< empty if the primitive has none
+};
+
+/// Whether a node's mesh has a pose of its own: it has a skin or morph targets.
+bool isPosed(const tinygltf::Model& model, int node);
+
+/// Moves the vertices of a primitive: morph targets first, then the skin (glTF 2.0, 3.7.2.2 and 3.7.3.3). Weights of
+/// joints are taken as they are.
+/// Errors: kMalformed for joints and attributes that do not fit, kLimit.
+void applyPose(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const MeshPose& pose,
+               ElementBudget& budget, const PosedVertices& vertices);
+
+}  // namespace jalousie::asset::detail

@@ -1,0 +1,38 @@
+// The pose of a whole document at a time.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "asset/mesh_pose.h"
+#include "asset/node_motion.h"
+#include "asset/read_limits.h"
+
+namespace jalousie::asset::detail {
+
+/// Where nodes are, and how their meshes are bent.
+class ScenePose {
+ public:
+  /// Keeps references; both must outlive this.
+  /// @param seconds  time of all animations; absent: the pose without animations
+  ScenePose(const tinygltf::Model& model, const Limits& limits, std::optional<double> seconds);
+
+  /// parentFromNode. Errors: as NodeMotion::transformAt.
+  glm::dmat4 localTransform(int node);
+  /// How a node's mesh is bent. Errors: kMalformed, kLimit.
+  MeshPose meshPose(int node);
+
+ private:
+  const std::vector<glm::dmat4>& worldFromNodes();
+
+  const tinygltf::Model& model_;
+  const Limits& limits_;
+  std::optional<double> seconds_;
+  NodeMotion motion_;
+  std::vector<glm::dmat4> worldFromNodes_;  ///< made for the first skin
+};
+
+}  // namespace jalousie::asset::detail
