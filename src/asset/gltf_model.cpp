@@ -1,6 +1,8 @@
 // tinygltf reads nothing but what it is handed through its callbacks, so that no URI of a document reaches it.
 #include "asset/gltf_model.h"
 
+#include <stb_image.h>
+
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -14,6 +16,10 @@ namespace {
 
 using nlohmann::json;
 using tinygltf::Model;
+
+/// libtinygltf needs libstb. A linker leaves libraries out that only other libraries need; it then finds what is missing
+/// in libdraco.a, together with another version of tinygltf whose structs have other members. So programs need libstb.
+[[gnu::used]] void (*const needsLibstb)(void*) = stbi_image_free;
 
 bool resourceExists(const std::string&, void*) {
   return true;
