@@ -7,8 +7,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(meshoptimizer REQUIRED)
-# The static library: the shared one exports symbols of its own copy of tinygltf.
-find_package(draco REQUIRED)
+find_package(draco REQUIRED)  # see DracoObjects.cmake
 find_package(JPEG REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET GLOBAL libwebp)

@@ -16,7 +16,7 @@ namespace jalousie::asset::detail {
 /// @param buffers  bytes by index, appended to
 /// Errors, each naming the mesh: kMalformed (ranges, counts or types other than those of the accessors, data that does
 /// not decode), kUnsupported (another version of the bitstream than 2.2, triangle strips), kLimit (all decoded bytes
-/// together above limits.maxFileBytes, or above a multiple of the document's bytes; checked before the data is decoded).
+/// together above limits.maxFileBytes or a multiple of the document's bytes; checked before the data is decoded).
 void decodeDracoPrimitives(nlohmann::json& document, std::vector<std::vector<unsigned char>>& buffers,
                            const Limits& limits, const std::filesystem::path& file);
 

@@ -1,6 +1,4 @@
 // Documents compressed with Draco: what comes back, and what must be refused.
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -12,8 +10,6 @@
 #include "asset/scene_file.h"
 #include "core/error.h"
 #include "support/draco_document.h"
-
-extern "C" void stbi_image_free(void* data);
 
 namespace jalousie::asset {
 namespace {
@@ -226,13 +222,6 @@ TEST_P(GltfDraco, UncompressedDataBesideItStays) {
   const tinygltf::Model model = parse(document_, all);
   EXPECT_EQ(model.buffers.size(), 1U);
   EXPECT_EQ(readVec3(model, 0, kMost), std::vector<glm::vec3>(sheet_.positions.size(), glm::vec3(0.0F)));
-}
-
-/// libdraco.a has copies of the functions of two other libraries.
-TEST(GltfDracoLinking, PicturesOfTinygltfComeFromLibstb) {
-  Dl_info info{};
-  ASSERT_NE(dladdr(reinterpret_cast<void*>(&stbi_image_free), &info), 0);
-  EXPECT_NE(std::string(info.dli_fname).find("libstb"), std::string::npos) << info.dli_fname;
 }
 
 }  // namespace
