@@ -7,6 +7,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(TinyGLTF REQUIRED)
 find_package(meshoptimizer REQUIRED)
+find_package(draco REQUIRED)  # see DracoObjects.cmake
 find_package(JPEG REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET GLOBAL libwebp)

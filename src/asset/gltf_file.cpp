@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asset/accessor_layout.h"
+#include "asset/gltf_draco.h"
 #include "asset/gltf_images.h"
 #include "asset/gltf_json.h"
 #include "asset/gltf_meshopt.h"
@@ -158,6 +159,7 @@ detail::Resources takeResources(json& document, const Parts& parts, detail::Reso
     }
   }
   detail::decodeMeshoptViews(document, resources.buffers, limits, file);
+  detail::decodeDracoPrimitives(document, resources.buffers, limits, file);
   if (const auto images = document.find("images"); images != document.end()) {
     for (json& image : *images) {
       const std::size_t index = resources.images.size();

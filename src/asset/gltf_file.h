@@ -26,8 +26,9 @@ enum class Retain {
 /// it. External files are opened only inside the document's folder. The
 /// document is validated: every index that one object holds of another is in range, every buffer view lies in its
 /// buffer, every accessor in its view, vertex indices are below the vertex count, the node hierarchy is a forest. Views
-/// with EXT_meshopt_compression or KHR_meshopt_compression are decoded, and the extension is gone. Errors:
-/// kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required extension), kLimit.
+/// with EXT_meshopt_compression or KHR_meshopt_compression and primitives with KHR_draco_mesh_compression are decoded,
+/// and the extension is gone. Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required
+/// extension), kLimit.
 tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {},
                          const ReadObserver& observer = {});
 /// As loadGltf, for a document that is in memory already. @param path  the document's file: for messages, and its

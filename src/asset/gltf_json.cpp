@@ -22,7 +22,7 @@ constexpr std::uint64_t kMaxSize = 1ULL << 53U;  // integers a JSON number carri
 
 constexpr std::array kKnownExtensions = {
     "MSFT_lod", "EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_texture_transform", "EXT_meshopt_compression",
-    "EXT_texture_webp", "KHR_meshopt_compression",
+    "EXT_texture_webp", "KHR_draco_mesh_compression", "KHR_meshopt_compression",
     // kept as they are; geometry can be read without them
     "EXT_instance_features", "EXT_mesh_features", "EXT_structural_metadata", "EXT_texture_avif",
     "KHR_animation_pointer", "KHR_lights_punctual", "KHR_materials_variants", "KHR_node_visibility",
@@ -140,24 +140,6 @@ void checkExtensions(const json& document, const Path& file) {
     throw Error(ErrorCode::kUnsupported, fmt::format("the file requires extensions not known here: {}", unknown), file);
 }
 
-/// Draco data without which a file can be read: the accessors hold the same vertices. Nobody here reads it, and the
-/// views it refers to would be dropped, so the extension goes.
-void dropDraco(json& document) {
-  constexpr const char* kDraco = "KHR_draco_mesh_compression";
-  const auto used = document.find("extensionsUsed");
-  if (used != document.end() && used->is_array()) {
-    used->erase(std::remove(used->begin(), used->end(), json(kDraco)), used->end());
-    if (used->empty()) document.erase("extensionsUsed");
-  }
-  if (!document.contains("meshes")) return;
-  for (json& mesh : document["meshes"]) {
-    for (json& primitive : mesh["primitives"]) {
-      const auto extensions = primitive.find("extensions");
-      if (extensions != primitive.end() && extensions->is_object()) extensions->erase(kDraco);
-    }
-  }
-}
-
 void checkTopLevel(const json& document, const Path& file) {
   for (const char* key : kTopLevelArrays) {
     const auto found = document.find(key);
@@ -189,8 +171,16 @@ json parseDocument(std::string_view text, const Limits& limits, const Path& file
   checkTopLevel(document, file);
   checkNumbers(document, file);
   checkShapes(document, file);
-  dropDraco(document);
   return document;
+}
+
+void forgetExtension(json& document, std::string_view name) {
+  for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+    const auto found = document.find(key);
+    if (found == document.end() || !found->is_array()) continue;
+    found->erase(std::remove(found->begin(), found->end(), json(name)), found->end());
+    if (found->empty()) document.erase(key);
+  }
 }
 
 std::uint64_t unsignedMember(const json& object, const char* key, std::uint64_t fallback, const Path& file) {

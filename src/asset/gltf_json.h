@@ -19,4 +19,7 @@ nlohmann::json parseDocument(std::string_view text, const Limits& limits, const 
 std::uint64_t unsignedMember(const nlohmann::json& object, const char* key, std::uint64_t fallback,
                              const std::filesystem::path& file);
 
+/// Takes a name out of the lists of extensions that the document uses and requires; an empty list goes.
+void forgetExtension(nlohmann::json& document, std::string_view name);
+
 }  // namespace jalousie::asset::detail

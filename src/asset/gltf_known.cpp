@@ -22,7 +22,6 @@ constexpr std::array kKnown = {"AGI_articulations",
                                "EXT_texture_avif",
                                "EXT_texture_webp",
                                "KHR_animation_pointer",
-                               "KHR_draco_mesh_compression",
                                "KHR_lights_punctual",
                                "KHR_mesh_quantization",
                                "KHR_meshopt_compression",
@@ -44,7 +43,7 @@ constexpr std::array kKnown = {"AGI_articulations",
 
 /// Those of primitives that do not refer to vertices by their number.
 constexpr std::array kOfPrimitives = {"EXT_feature_metadata", "EXT_mesh_features", "EXT_structural_metadata",
-                                      "KHR_draco_mesh_compression", "KHR_materials_variants"};
+                                      "KHR_materials_variants"};
 
 bool holdsInteger(const tinygltf::Value& value) {
   if (value.IsInt()) return true;

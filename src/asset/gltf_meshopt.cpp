@@ -142,16 +142,6 @@ const char* nameIn(const json& object) {
   return nullptr;
 }
 
-void forgetExtension(json& document) {
-  for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
-    const auto found = document.find(key);
-    if (found == document.end() || !found->is_array()) continue;
-    for (const char* name : kNames)
-      found->erase(std::remove(found->begin(), found->end(), json(name)), found->end());
-    if (found->empty()) document.erase(key);
-  }
-}
-
 /// What a view holds, as far as it can be compressed.
 struct Content {
   std::size_t stride = 0;
@@ -303,7 +293,8 @@ std::vector<bool> findMeshoptFallbacks(const json& document, bool hasChunk) {
 }
 
 void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limits& limits, const Path& file) {
-  forgetExtension(document);
+  for (const char* name : kNames)
+    forgetExtension(document, name);
   if (const auto list = document.find("buffers"); list != document.end()) {
     for (json& buffer : *list) {
       if (const char* name = nameIn(buffer)) buffer["extensions"].erase(name);

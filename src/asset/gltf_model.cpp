@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "asset/gltf_elements.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -63,25 +64,12 @@ void forEachTarget(json& document, const Visit& visit) {
   }
 }
 
-/// tinygltf writes sizes as 32-bit integers with a sign.
-void mendSizes(json& document, const Model& model) {
-  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-    document["bufferViews"][i]["byteOffset"] = model.bufferViews[i].byteOffset;
-    document["bufferViews"][i]["byteLength"] = model.bufferViews[i].byteLength;
-  }
-  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
-    document["accessors"][i]["count"] = model.accessors[i].count;
-    if (model.accessors[i].byteOffset > 0) document["accessors"][i]["byteOffset"] = model.accessors[i].byteOffset;
-  }
-}
-
 /// tinygltf writes null for empty objects and arrays, and zfar 0 for an infinite projection; it leaves out the names of
 /// samplers.
 void mendJson(json& document, const Model& model) {
-  mendSizes(document, model);
   for (std::size_t i = 0; i < model.samplers.size(); ++i)
     if (!model.samplers[i].name.empty()) document["samplers"][i]["name"] = model.samplers[i].name;
-  for (const char* key : {"scenes", "nodes", "textures", "skins"}) {
+  for (const char* key : {"scenes", "textures", "skins"}) {
     if (!document.contains(key)) continue;
     for (json& entry : document[key]) {
       if (entry.is_null()) entry = json::object();
@@ -134,6 +122,7 @@ Model modelOf(json document, Resources& resources, const std::filesystem::path& 
 json jsonOf(Model& model) {
   settleDefaults(model);
   model.buffers.clear();
+  json elements = takeElements(model);
   tinygltf::TinyGLTF writer;
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
@@ -141,6 +130,8 @@ json jsonOf(Model& model) {
     throw Error(ErrorCode::kInternal, "glTF serialisation failed");
   json document = json::parse(stream.str());
   mendJson(document, model);
+  for (auto& [key, list] : elements.items())
+    document[key] = std::move(list);
   return document;
 }
 

@@ -19,7 +19,8 @@ struct Resources {
 /// gets the node -1. @param resources  the bytes are moved out. Errors: kMalformed, kLimit.
 tinygltf::Model modelOf(nlohmann::json document, Resources& resources, const std::filesystem::path& file);
 
-/// The JSON of a model, with what tinygltf's writer gets wrong put right. Takes its buffers, so that none is encoded.
+/// The JSON of a model, with what tinygltf's writer gets wrong put right. Takes its buffers, so that none is encoded,
+/// and its accessors, buffer views, meshes and nodes.
 nlohmann::json jsonOf(tinygltf::Model& model);
 
 /// The JSON that jsonOf makes of the model of a document: what tinygltf understands of it, without bytes.

@@ -7,6 +7,7 @@
 #include "asset/lod_chain.h"
 #include "bake/bake_fixtures.h"
 #include "bake/io/bake_document.h"
+#include "bake/io/equal_meshes.h"
 #include "bake/pipeline/threads.h"
 #include "bake/simplify/chain.h"
 
@@ -123,6 +124,62 @@ TEST(ManyMeshes, TheFirstMeshThatFailsIsNamedWhateverTheThreads) {
       EXPECT_NE(std::string(error.what()).find("part17"), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(ManyMeshes, EqualMeshesShareTheirLevels) {
+  tinygltf::Model model = spheres(12);  // sphere k equals sphere k % 5
+  model.meshes[7].primitives[0].extras = tinygltf::Value(tinygltf::Value::Object{{"own", tinygltf::Value(1)}});
+  model.meshes[8].extras = tinygltf::Value(tinygltf::Value::Object{{"batch", tinygltf::Value(8)}});
+  tinygltf::Model alone = spheres(5);
+  const std::vector<MeshReport> expected = bakeIt(alone, {});
+  const std::vector<MeshReport> reports = bakeIt(model, {});
+  ASSERT_EQ(reports.size(), 12U);
+  std::size_t meshes = 12;
+  for (std::size_t k = 0; k < 12; ++k) {
+    const bool isFirst = k < 5 || k == 7;
+    if (isFirst) meshes += expected[k % 5].levels.size() - 1;
+    const std::size_t like = isFirst ? k : k % 5;
+    EXPECT_EQ(reports[k].name, "part" + std::to_string(k));
+    ASSERT_EQ(reports[k].levels.size(), expected[k % 5].levels.size());
+    EXPECT_EQ(reports[k].levels.back().errorObject, expected[k % 5].levels.back().errorObject);
+    EXPECT_EQ(model.meshes[k].primitives[0].indices, model.meshes[like].primitives[0].indices);
+    const std::vector<int> nodes = asset::lodNodes(model, static_cast<int>(k));
+    const std::vector<int> sharedNodes = asset::lodNodes(model, static_cast<int>(like));
+    ASSERT_EQ(nodes.size() + 1, reports[k].levels.size());
+    for (std::size_t l = 0; l < nodes.size(); ++l)
+      EXPECT_EQ(model.nodes[static_cast<std::size_t>(nodes[l])].mesh,
+                model.nodes[static_cast<std::size_t>(sharedNodes[l])].mesh);
+    EXPECT_EQ(asset::lodInfo(model.meshes[k])->triangles, reports[k].levels[0].triangles);
+  }
+  EXPECT_EQ(model.meshes.size(), meshes);
+  EXPECT_TRUE(model.meshes[8].extras.Has("batch"));
+  EXPECT_FALSE(model.meshes[3].extras.Has("batch"));
+}
+
+TEST(ManyMeshes, MeshesThatDifferInOneByteShareNothing) {
+  const tinygltf::Model same = spheres(6);
+  const std::vector<std::size_t> used = {0, 1, 2, 3, 4, 5};
+  EXPECT_EQ(findEqualMeshes(same, used), (std::vector<std::size_t>{0, 1, 2, 3, 4, 0}));
+  const auto changed = [&](const auto& change) {
+    tinygltf::Model model = same;
+    change(model);
+    return findEqualMeshes(model, used)[5] == 5;
+  };
+  const auto viewOf = [](tinygltf::Model& model, int accessor) -> tinygltf::BufferView& {
+    const int view = model.accessors[static_cast<std::size_t>(accessor)].bufferView;
+    return model.bufferViews[static_cast<std::size_t>(view)];
+  };
+  EXPECT_TRUE(changed([](tinygltf::Model& model) { model.meshes[5].primitives[0].material = 0; }));
+  EXPECT_TRUE(changed([](tinygltf::Model& model) { model.meshes[5].primitives[0].attributes.erase("NORMAL"); }));
+  for (const char* name : {"POSITION", "NORMAL"})
+    EXPECT_TRUE(changed([&](tinygltf::Model& model) {
+      const tinygltf::BufferView& view = viewOf(model, model.meshes[5].primitives[0].attributes[name]);
+      model.buffers[0].data[view.byteOffset + view.byteLength - 1] ^= 1U;
+    })) << name;
+  EXPECT_TRUE(changed([&](tinygltf::Model& model) {
+    const tinygltf::BufferView& view = viewOf(model, model.meshes[5].primitives[0].indices);
+    std::swap(model.buffers[0].data[view.byteOffset], model.buffers[0].data[view.byteOffset + 2]);
+  }));
 }
 
 /// Elements of all loops of a chain that may run in slices: points that are projected or measured.

@@ -9,6 +9,7 @@
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
 #include "core/file.h"
+#include "support/draco_document.h"
 #include "support/run_program.h"
 
 namespace jalousie {
@@ -75,6 +76,30 @@ TEST_F(BakeProgram, CellsAreDividedReportedAndReadAgain) {
     EXPECT_EQ(scene.meshes[level.mesh].primitives[0].cellEnds.size(), 16U);
   ASSERT_EQ(bake({file("ball.ply"), "-o", file("out.glb"), "-q", "--cells", "off"}).exitCode, 0);
   EXPECT_TRUE(asset::readSceneFile(file("out.glb")).meshes[0].primitives[0].cellEnds.empty());
+}
+
+TEST_F(BakeProgram, DracoIsReadAndNotWritten) {
+  const test::DracoSheet sheet = test::dracoSheet(12);
+  const std::string stream = test::dracoStream(sheet, test::DracoMethod::kEdgebreaker);
+  nlohmann::json document = test::dracoDocument(sheet, stream);
+  const auto write = [&] {
+    std::ofstream(file("stream.bin"), std::ios::binary) << stream;
+    document["buffers"][0]["uri"] = "stream.bin";
+    std::ofstream(file("draco.gltf")) << document.dump();
+  };
+  write();
+  const ProgramResult result = bake({file("draco.gltf"), "-o", file("out.glb"), "-q", "--levels", "3"});
+  ASSERT_EQ(result.exitCode, 0) << result.standardError;
+  const asset::SceneFile scene = asset::readSceneFile(file("out.glb"));
+  EXPECT_EQ(scene.meshes.at(0).primitives.at(0).indices.size(), 3 * sheet.triangles.size());
+  EXPECT_EQ(scene.chains.at(0).levels.size(), 3U);
+  const tinygltf::Model model = asset::loadGltf(file("out.glb"));
+  EXPECT_TRUE(model.extensionsRequired.empty());
+  EXPECT_EQ(model.extensionsUsed, std::vector<std::string>{"MSFT_lod"});
+  std::filesystem::remove(file("out.glb"));
+  document["accessors"][5]["count"] = 861;
+  write();
+  expectRefused({file("draco.gltf"), "-o", file("out.glb")}, 5, "288 triangles in the stream, 287 in the accessors");
 }
 
 TEST_F(BakeProgram, OnlyNumbersWithinTheRangeAutoAndOffAreCells) {

@@ -13,6 +13,7 @@
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "bake/io/attribute_range.h"
+#include "bake/io/equal_meshes.h"
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/level_nodes.h"
 #include "bake/io/lod_measures.h"
@@ -269,13 +270,19 @@ void refine(CombinedMesh& mesh, const BakeOptions& options) {
 /// Called with the triangles of each finished level.
 using LevelProgress = std::function<void(std::uint32_t)>;
 
+/// The name of a mesh in reports.
+std::string nameOf(const tinygltf::Model& model, std::size_t index) {
+  const std::string& name = model.meshes[index].name;
+  return name.empty() ? fmt::format("mesh {}", index) : name;
+}
+
 /// Reads a mesh up to what is simplified. @return  nullopt if it is passed through; the report says why
 std::optional<WedgeMesh> prepareMesh(const tinygltf::Model& model, std::size_t index, const Before& before,
                                      const BakeOptions& options, BakedMesh& baked) {
   const std::vector<int>& nodes = before.users[index];
   const tinygltf::Mesh& source = model.meshes[index];
   MeshReport& report = baked.report;
-  report.name = source.name.empty() ? fmt::format("mesh {}", index) : source.name;
+  report.name = nameOf(model, index);
   report.nodes = nodes.size();
   report.passedThrough = reasonToPass(model, source, nodes, before.isLevel);
   if (!report.passedThrough.empty()) return std::nullopt;
@@ -482,18 +489,59 @@ std::vector<BakedMesh> bakeBatch(const tinygltf::Model& model, std::span<const s
   return baked;
 }
 
+/// A mesh as it was written; meshes of equal content share its levels.
+struct Written {
+  MeshReport report;
+  std::vector<int> levelMeshes;  ///< LOD 0 first; empty if the mesh is passed through
+  std::vector<float> coverage;
+};
+
 /// Writes a mesh and links its levels, or checks one that is passed through.
-MeshReport writeMesh(tinygltf::Model& model, std::size_t index, const Before& before, BakedMesh& baked,
-                     std::set<int>& finite) {
+Written writeMesh(tinygltf::Model& model, std::size_t index, const Before& before, BakedMesh& baked,
+                  std::set<int>& finite) {
   if (!baked.report.passedThrough.empty()) {
     requireFinite(model, model.meshes[index], baked.report.passedThrough, finite);
-    return std::move(baked.report);
+    return {std::move(baked.report), {}, {}};
   }
   tinygltf::Mesh kept = model.meshes[index];
   std::erase_if(kept.primitives, hasTriangles);
   requireFinite(model, kept, "it has no triangles", finite);
-  linkNodes(model, before, before.users[index], writeLevels(model, index, baked), baked.coverage);
-  return std::move(baked.report);
+  const std::vector<int> levelMeshes = writeLevels(model, index, baked);
+  linkNodes(model, before, before.users[index], levelMeshes, baked.coverage);
+  return {std::move(baked.report), levelMeshes, std::move(baked.coverage)};
+}
+
+/// Writes a mesh whose content equals that of one which is written: only LOD 0 stays a mesh of its own.
+Written writeEqual(tinygltf::Model& model, std::size_t index, const Before& before, const Written& first) {
+  Written written = first;
+  tinygltf::Mesh& mesh = model.meshes[index];
+  written.report.name = nameOf(model, index);
+  written.report.nodes = before.users[index].size();
+  if (written.levelMeshes.empty()) return written;
+  const tinygltf::Mesh& finest = model.meshes[static_cast<std::size_t>(first.levelMeshes[0])];
+  mesh.primitives = finest.primitives;
+  asset::setLodInfo(mesh, first.report.levels[0]);
+  const asset::CellTriangles cells = asset::lodCells(model, finest);
+  if (!cells.empty()) asset::setLodCells(mesh, cells);
+  written.levelMeshes[0] = static_cast<int>(index);
+  linkNodes(model, before, before.users[index], written.levelMeshes, written.coverage);
+  return written;
+}
+
+/// For each mesh the place of the first one that has the same levels.
+std::vector<std::size_t> shareLevels(const tinygltf::Model& model, const std::vector<std::size_t>& used,
+                                     const Before& before, const std::optional<Budget>& budget) {
+  std::vector<std::size_t> first = findEqualMeshes(model, used);
+  const auto passes = [&](std::size_t mesh) {
+    return !reasonToPass(model, model.meshes[mesh], before.users[mesh], before.isLevel).empty();
+  };
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t other = used[first[i]];
+    const bool sameBudget = !budget || (budget->targets[used[i]] == budget->targets[other] &&
+                                        budget->untilLength[used[i]] == budget->untilLength[other]);
+    if (first[i] != i && (!sameBudget || passes(used[i]) || passes(other))) first[i] = i;
+  }
+  return first;
 }
 
 }  // namespace
@@ -513,18 +561,30 @@ std::vector<MeshReport> bakeDocument(
   progress(0, meshes, "sharing the budget");
   const std::optional<Budget> budget = shareScene(model, used, before, options);
   const auto optionsOf = [&](std::size_t mesh) { return optionsFor(options, budget, mesh); };
-  std::vector<MeshReport> reports;
+  const std::vector<std::size_t> first = shareLevels(model, used, before, budget);
+  std::vector<Written> written;
   std::set<int> finite;
-  for (std::size_t first = 0; first < used.size();) {
-    const std::size_t end = batchEnd(model, used, first);
-    progress(used[first], meshes, model.meshes[used[first]].name);
-    std::vector<BakedMesh> baked = bakeBatch(model, std::span(used).subspan(first, end - first), before, optionsOf,
-                                             [&](const std::string& what) { progress(used[first], meshes, what); });
-    for (; first < end; ++first)
-      reports.push_back(named(model, used[first], [&] {
-        return writeMesh(model, used[first], before, baked[baked.size() - (end - first)], finite);
+  for (std::size_t begin = 0; begin < used.size();) {
+    const std::size_t end = batchEnd(model, used, begin);
+    progress(used[begin], meshes, model.meshes[used[begin]].name);
+    std::vector<std::size_t> different;
+    for (std::size_t i = begin; i < end; ++i)
+      if (first[i] == i) different.push_back(used[i]);
+    std::vector<BakedMesh> baked;
+    if (!different.empty())
+      baked = bakeBatch(model, different, before, optionsOf,
+                        [&](const std::string& what) { progress(used[begin], meshes, what); });
+    for (std::size_t next = 0; begin < end; ++begin) {
+      written.push_back(named(model, used[begin], [&] {
+        return first[begin] == begin ? writeMesh(model, used[begin], before, baked[next++], finite)
+                                     : writeEqual(model, used[begin], before, written[first[begin]]);
       }));
+    }
   }
+  std::vector<MeshReport> reports;
+  reports.reserve(written.size());
+  for (Written& mesh : written)
+    reports.push_back(std::move(mesh.report));
   model.asset.generator = "jalousie-bake";
   return reports;
 }

@@ -164,6 +164,7 @@ JobSettings settingsOf(const CommandLine& command) {
   settings.quantize = command.quantize;
   settings.compress = command.compress;
   settings.makeFolders = isBatch(command);
+  settings.meshReports = !command.json.empty() || !command.cache.empty();
   settings.cache = command.cache;
   if (!command.cache.empty()) settings.identity = buildIdentity() + "\n" + command.chosen;
   return settings;

@@ -24,6 +24,7 @@ struct JobSettings {
   bool quantize = false;
   bool compress = false;
   bool makeFolders = false;     ///< make the output's folder if it is not there
+  bool meshReports = true;      ///< reports describe each mesh; otherwise they have warnings only
   std::filesystem::path cache;  ///< folder; empty: none
   std::string identity;         ///< of program and options; part of the cache key
 };

@@ -81,7 +81,7 @@ CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<Rea
   entry.output = asset::encodeGlb(std::move(model), {settings.compress});
   requireReadable(entry.output, job.output);
   noteMeshes(reports, notes);
-  entry.report = reportJson(reports, notes.lines());
+  entry.report = reportJson(settings.meshReports ? reports : std::vector<MeshReport>(), notes.lines());
   entry.table = reportText(reports);
   return entry;
 }

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -83,6 +84,16 @@ void limitMemory(std::uint64_t bytes) {
 #endif
 }
 
+/// Documents are parsed and freed several times. Asking the kernel for the same pages each time cost a fifth of the CPU
+/// time of files with thousands of meshes.
+void keepFreedMemory() {
+#if defined(__GLIBC__)
+  ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  ::mallopt(M_TOP_PAD, 16 << 20);
+#endif
+}
+
 [[noreturn]] void fail(int pipe, ErrorCode code, const std::string& message) {
   send(pipe, 'E', {fmt::format("{}", static_cast<int>(code)), oneLine(message)});
   std::exit(static_cast<int>(code));
@@ -93,6 +104,7 @@ void limitMemory(std::uint64_t bytes) {
   const std::string input = job.inputs.front().string();
   try {
     limitMemory(limits.maxMemoryBytes);
+    keepFreedMemory();
     JobSettings threaded = settings;
     threaded.bake.chain.slices = threadedSlices(limits.threads);
     threaded.bake.tasks = threadedTasks(limits.threads);

@@ -14,12 +14,48 @@ namespace {
 /// Axes of a view: right, up, towards the eye.
 std::array<glm::dvec3, 3> axesOf(const RasterView& view) {
   const glm::dvec3 back = glm::normalize(view.towardsEye);
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), back));
+  const glm::dvec3 above = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 right = glm::normalize(glm::cross(above, back));
   return {right, glm::cross(back, right), back};
 }
 
 double edge(const glm::dvec3& a, const glm::dvec3& b, double x, double y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+}
+
+/// Per vertex its place in samples, row 0 at the top, and its depth towards the eye.
+std::vector<glm::dvec3> project(const WedgeMesh& mesh, const RasterView& view) {
+  const double side = 2.0 * view.side;
+  const auto [right, up, back] = axesOf(view);
+  const double scale = 0.5 * side / view.radius;
+  std::vector<glm::dvec3> screen;
+  screen.reserve(mesh.positions.size());
+  for (const glm::vec3& p : mesh.positions) {
+    const glm::dvec3 d = glm::dvec3(p) - view.center;
+    screen.emplace_back(0.5 * side + scale * glm::dot(d, right), 0.5 * side - scale * glm::dot(d, up),
+                        glm::dot(d, back));
+  }
+  return screen;
+}
+
+/// Calls a function for the samples that a triangle covers, with their barycentric coordinates. A shared edge may be
+/// drawn by both triangles, never by none. @param area  twice that of the triangle, not 0
+template <class Draw>
+void forSamples(const std::array<glm::dvec3, 3>& p, double area, int side, const Draw& draw) {
+  const auto clampPixel = [&](double x) { return static_cast<int>(std::clamp(x, -1.0, side + 1.0)); };
+  const int x0 = std::max(0, clampPixel(std::floor(std::min({p[0].x, p[1].x, p[2].x}) - 0.5)));
+  const int x1 = std::min(side - 1, clampPixel(std::ceil(std::max({p[0].x, p[1].x, p[2].x}))));
+  const int y0 = std::max(0, clampPixel(std::floor(std::min({p[0].y, p[1].y, p[2].y}) - 0.5)));
+  const int y1 = std::min(side - 1, clampPixel(std::ceil(std::max({p[0].y, p[1].y, p[2].y}))));
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const glm::dvec3 b = glm::dvec3(edge(p[1], p[2], x + 0.5, y + 0.5), edge(p[2], p[0], x + 0.5, y + 0.5),
+                                      edge(p[0], p[1], x + 0.5, y + 0.5)) /
+                           area;
+      if (b.x < 0.0 || b.y < 0.0 || b.z < 0.0) continue;
+      draw(static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x), b);
+    }
+  }
 }
 
 std::uint8_t encodeSrgb(double linear) {
@@ -46,18 +82,10 @@ void fitView(const WedgeMesh& mesh, RasterView& view) {
   view.radius = half > 0.0 ? 1.08 * half : 1.0;
 }
 
-std::vector<RasterSample> rasterise(const WedgeMesh& mesh, const RasterView& view) {
+std::vector<RasterSample> rasterise(const WedgeMesh& mesh, const RasterView& view, const RasterTest& isThere) {
   const int side = 2 * static_cast<int>(view.side);
   std::vector<RasterSample> samples(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  const auto [right, up, back] = axesOf(view);
-  const double scale = 0.5 * side / view.radius;
-  std::vector<glm::dvec3> screen;
-  screen.reserve(mesh.positions.size());
-  for (const glm::vec3& p : mesh.positions) {
-    const glm::dvec3 d = glm::dvec3(p) - view.center;
-    screen.emplace_back(0.5 * side + scale * glm::dot(d, right), 0.5 * side - scale * glm::dot(d, up),
-                        glm::dot(d, back));
-  }
+  const std::vector<glm::dvec3> screen = project(mesh, view);
   const AttributeSlot* normals = mesh.slot("NORMAL");
   for (std::uint32_t t = 0; t < mesh.triangles(); ++t) {
     const std::array<glm::dvec3, 3> p = {screen[mesh.vertexAt(3 * std::size_t{t})],
@@ -66,26 +94,13 @@ std::vector<RasterSample> rasterise(const WedgeMesh& mesh, const RasterView& vie
     const double area = edge(p[0], p[1], p[2].x, p[2].y);
     if (!(std::abs(area) > 1e-12)) continue;
     const double facing = area < 0.0 ? 1.0 : -1.0;  // rows count downwards: front faces run clockwise
-    const auto clampPixel = [&](double x) { return static_cast<int>(std::clamp(x, -1.0, side + 1.0)); };
-    const int x0 = std::max(0, clampPixel(std::floor(std::min({p[0].x, p[1].x, p[2].x}) - 0.5)));
-    const int x1 = std::min(side - 1, clampPixel(std::ceil(std::max({p[0].x, p[1].x, p[2].x}))));
-    const int y0 = std::max(0, clampPixel(std::floor(std::min({p[0].y, p[1].y, p[2].y}) - 0.5)));
-    const int y1 = std::min(side - 1, clampPixel(std::ceil(std::max({p[0].y, p[1].y, p[2].y}))));
-    for (int y = y0; y <= y1; ++y) {
-      for (int x = x0; x <= x1; ++x) {
-        const glm::dvec3 b = glm::dvec3(edge(p[1], p[2], x + 0.5, y + 0.5), edge(p[2], p[0], x + 0.5, y + 0.5),
-                                        edge(p[0], p[1], x + 0.5, y + 0.5)) /
-                             area;
-        // A shared edge may be drawn by both triangles, never by none.
-        if (b.x < 0.0 || b.y < 0.0 || b.z < 0.0) continue;
-        const auto depth = static_cast<float>(b.x * p[0].z + b.y * p[1].z + b.z * p[2].z);
-        RasterSample& sample =
-            samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
-        if (sample.triangle != ~0U && depth <= sample.depth) continue;
-        const glm::dvec3 normal = shadingNormalAt(mesh, normals, t, b);
-        sample = {depth, t, positionAt(mesh, t, b), glm::vec3(facing * normal)};
-      }
-    }
+    forSamples(p, area, side, [&](std::size_t at, const glm::dvec3& b) {
+      RasterSample& sample = samples[at];
+      const auto depth = static_cast<float>(b.x * p[0].z + b.y * p[1].z + b.z * p[2].z);
+      if ((sample.triangle != ~0U && depth <= sample.depth) || (isThere && !isThere(t, b))) return;
+      const glm::dvec3 normal = shadingNormalAt(mesh, normals, t, b);
+      sample = {depth, t, positionAt(mesh, t, b), glm::vec3(facing * normal), glm::vec3(b)};
+    });
   }
   return samples;
 }

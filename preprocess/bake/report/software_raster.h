@@ -1,4 +1,4 @@
-// A small z-buffered rasteriser for the sheet: it needs no OpenGL and gives the same pixels on every machine.
+// A small z-buffered rasteriser for the sheet and for benchmarks: no OpenGL, and the same pixels on every machine.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,18 @@ struct RasterSample {
   std::uint32_t triangle = ~0U;  ///< ~0: background
   glm::vec3 position{0.0F};      ///< object space
   glm::vec3 normal{0.0F};        ///< unit, shading, of the side that is seen
+  glm::vec3 barycentric{0.0F};
 };
+
+/// Whether a point of a triangle is there at all: alpha masks make holes.
+using RasterTest = std::function<bool(std::uint32_t triangle, const glm::dvec3& barycentric)>;
 
 /// Centres the view on the mesh and fits it with a small margin.
 void fitView(const WedgeMesh& mesh, RasterView& view);
 
 /// [2 * side * 2 * side] samples, row 0 at the top. Triangles without area leave no trace.
-std::vector<RasterSample> rasterise(const WedgeMesh& mesh, const RasterView& view);
+/// @param isThere  called for samples that would be seen; empty: all points are there
+std::vector<RasterSample> rasterise(const WedgeMesh& mesh, const RasterView& view, const RasterTest& isThere = {});
 
 /// Averages shade(sample) over the covered samples of each pixel, alpha from their number.
 /// @param shade  linear RGB in [0, 1]
