@@ -6,8 +6,8 @@
 // baker measures with: mean of the two one-sided mean distances, larger one of the two sampled maxima, and mean angle
 // between interpolated shading normals in degrees. `stored` is the error that jalousie-bake would store for the mesh
 // (DeviationMeter): a conservative two-sided maximum, never below a sampled distance. Distances are in % of the
-// reference's diagonal. All meshes of a scene are taken together, in object space. LOD chooses a level of a file with
-// MSFT_lod; default 0.
+// reference's diagonal. All meshes of a scene are taken together, at the places of their nodes. LOD chooses a level of
+// a file with MSFT_lod; default 0. A mesh with fewer levels has its coarsest one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "asset/lod_chain.h"
 #include "bake/io/gltf_mesh.h"
 #include "bake/io/import.h"
+#include "bake/io/node_scales.h"
 #include "bake/mesh/surface_samples.h"
 #include "bake/mesh/triangle_bvh.h"
 #include "bake/mesh/wedges.h"
@@ -36,16 +37,19 @@ using bake::WedgeMesh;
 
 constexpr std::size_t kSamples = 200'000;
 
-/// Appends one mesh to another; only positions and normals matter here.
-void append(WedgeMesh& whole, const WedgeMesh& part) {
+/// Appends one mesh to another; only positions and normals matter here. @param transform  into the scene
+void append(WedgeMesh& whole, const WedgeMesh& part, const glm::dmat4& transform) {
+  const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(transform)));
   const auto vertices = static_cast<std::uint32_t>(whole.positions.size());
   const auto wedges = static_cast<std::uint32_t>(whole.vertexOf.size());
-  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+  for (const glm::vec3& p : part.positions)
+    whole.positions.emplace_back(transform * glm::dvec4(p, 1.0));
   const bake::AttributeSlot* normals = part.slot("NORMAL");
   for (std::uint32_t w = 0; w < part.vertexOf.size(); ++w) {
     whole.vertexOf.push_back(vertices + part.vertexOf[w]);
     whole.sourceWedge.push_back(~0U);  // no wedge of the reference: texture charts are not compared
-    const glm::vec3 n = normals != nullptr ? part.vec3At(w, *normals) : glm::vec3(0.0F);
+    glm::vec3 n(0.0F);
+    if (normals != nullptr) n = glm::normalize(turned * glm::dvec3(part.vec3At(w, *normals)));
     whole.attributes.insert(whole.attributes.end(), {n.x, n.y, n.z});
   }
   for (const std::uint32_t c : part.corners)
@@ -58,6 +62,7 @@ WedgeMesh load(const std::string& name) {
   const std::size_t lod = at == std::string::npos ? 0 : std::stoul(name.substr(at + 1));
   bake::Notes notes;
   const tinygltf::Model model = bake::importFiles({file}, {}, notes);
+  const std::vector<glm::dmat4> transforms = bake::worldTransforms(model);
   std::vector<bool> isLower(model.nodes.size(), false);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
@@ -70,11 +75,10 @@ WedgeMesh load(const std::string& name) {
     int node = static_cast<int>(n);
     if (lod > 0) {
       const std::vector<int> lower = asset::lodNodes(model, node);
-      if (lower.size() < lod) throw Error(ErrorCode::kUsage, fmt::format("has no level {}", lod), file);
-      node = lower[lod - 1];
+      if (!lower.empty()) node = lower[std::min(lod, lower.size()) - 1];
     }
     const auto mesh = static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh);
-    append(whole, bake::makeWedges(bake::readCombinedMesh(model, model.meshes[mesh], {})));
+    append(whole, bake::makeWedges(bake::readCombinedMesh(model, model.meshes[mesh], {})), transforms[n]);
   }
   if (whole.corners.empty()) throw Error(ErrorCode::kMalformed, "has no triangles", file);
   return whole;

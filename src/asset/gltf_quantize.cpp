@@ -170,6 +170,16 @@ std::vector<Chain> findChains(const tinygltf::Model& model) {
   return chains;
 }
 
+/// A power of two scales normals, errors and positions without rounding.
+double gridSide(double extent) {
+  return extent > 0.0 ? std::exp2(std::ceil(std::log2(extent))) : 1.0;
+}
+
+/// By how much positions and errors may be off: half a step of each of two surfaces, of a grid with this side.
+double roundingOf(double side) {
+  return side * std::sqrt(3.0) / 65535.0;
+}
+
 /// The grid of some meshes. Errors: kUnsupported (its side is no finite float).
 Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
   glm::dvec3 low(std::numeric_limits<double>::infinity());
@@ -184,8 +194,7 @@ Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
   }
   const glm::dvec3 extent = high - low;
   const double side = std::max({extent.x, extent.y, extent.z});
-  // A power of two scales normals, errors and positions without rounding.
-  const double grid = side > 0.0 ? std::exp2(std::ceil(std::log2(side))) : 1.0;
+  const double grid = gridSide(side);
   if (!std::isfinite(static_cast<float>(grid)))
     throw Error(ErrorCode::kUnsupported,
                 fmt::format("mesh {}: its positions span {:g} units, too many for a grid; leave out --quantize",
@@ -198,11 +207,12 @@ Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
 void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid& grid) {
   std::optional<LodInfo> info = lodInfo(mesh);
   if (!info) return;
-  const double rounding = info->lod > 0 ? std::sqrt(3.0) / 65535.0 : 0.0;  // half a step of each of two surfaces
+  const double rounding = info->lod > 0 ? roundingOf(1.0) : 0.0;
   info->errorObject = info->errorObject / grid.side + rounding;
   if (info->measures) {
     LodMeasures& measures = *info->measures;
     measures.diagonal /= grid.side;
+    if (measures.target) *measures.target /= grid.side;
     for (DistanceInfo* distance : {&measures.toOriginal, &measures.fromOriginal, &measures.twoSided}) {
       distance->max = distance->max / grid.side + rounding;
       distance->mean /= grid.side;
@@ -258,6 +268,10 @@ void declare(std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+double quantizeRounding(double extent) {
+  return roundingOf(gridSide(extent));
+}
 
 void quantizeModel(tinygltf::Model& model) {
   bool changed = false;

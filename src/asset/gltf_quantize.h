@@ -21,4 +21,8 @@ namespace jalousie::asset {
 /// than floats can scale).
 void quantizeModel(tinygltf::Model& model);
 
+/// The most by which quantizeModel increases the errors of a mesh, object-space length. @param extent  the longest side
+/// of the box around the mesh and its levels, not negative
+double quantizeRounding(double extent);
+
 }  // namespace jalousie::asset

@@ -106,10 +106,11 @@ void putMeasures(tinygltf::Value::Object& object, const LodMeasures& measures) {
   object["normalDegrees"] = spreadValue(measures.normalDegrees);
   object["uv"] = spreadValue(measures.uv);
   object["coverage"] = tinygltf::Value(measures.coverage);
+  if (measures.target) object["target"] = tinygltf::Value(*measures.target);
   if (!measures.stop.empty()) object["stop"] = tinygltf::Value(measures.stop);
 }
 
-LodMeasures readMeasures(const tinygltf::Value& object) {
+LodMeasures readMeasures(const tinygltf::Value& object, std::uint32_t format) {
   LodMeasures measures;
   measures.diagonal = memberNumber(object, "diagonal");
   measures.toOriginal = memberDistance(object, "toOriginal");
@@ -118,6 +119,7 @@ LodMeasures readMeasures(const tinygltf::Value& object) {
   measures.normalDegrees = memberSpread(object, "normalDegrees");
   measures.uv = memberSpread(object, "uv");
   measures.coverage = memberNumber(object, "coverage");
+  if (format >= 4 && object.Has("target")) measures.target = memberNumber(object, "target");
   if (object.Has("stop")) {
     if (!object.Get("stop").IsString()) malformed("extras.jalousie.stop is not a string");
     measures.stop = object.Get("stop").Get<std::string>();
@@ -173,7 +175,7 @@ std::optional<LodInfo> lodInfo(const tinygltf::Mesh& mesh) {
   info.triangles = memberCount(object, "triangles");
   info.vertices = memberCount(object, "vertices");
   info.errorObject = memberNumber(object, "errorObject");
-  if (format >= 2) info.measures = readMeasures(object);
+  if (format >= 2) info.measures = readMeasures(object, format);
   return info;
 }
 

@@ -2,9 +2,9 @@
 //
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
-// On each level's mesh: extras.jalousie = {"format": 3, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
+// On each level's mesh: extras.jalousie = {"format": 4, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
 //                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
-//                      "coverage": c, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]}}
+//                      "coverage": c, "target": e, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]}}
 //                      D = {"max", "mean", "maxPercent", "meanPercent"}, S = {"mean", "p95"}
 //                      cells: for each primitive the triangles of each cell, in the order of the primitive's triangles
 //
@@ -12,6 +12,7 @@
 //   1  first
 //   2  everything from "diagonal" to "stop"; files of format 1 are still read
 //   3  "cells", which may be absent; files of formats 1 and 2 are still read
+//   4  "target", which may be absent; files of formats 1 to 3 are still read
 #pragma once
 
 #include <tiny_gltf.h>
@@ -24,7 +25,7 @@
 
 namespace jalousie::asset {
 
-inline constexpr int kLodFormatVersion = 3;
+inline constexpr int kLodFormatVersion = 4;
 
 /// Distances from the points of one surface to another, object-space length.
 struct DistanceInfo {
@@ -40,14 +41,15 @@ struct SpreadInfo {
 
 /// What the baker measured of one level against LOD 0, over both surfaces.
 struct LodMeasures {
-  double diagonal = 0.0;      ///< of LOD 0's box, object-space length; percentages refer to it
-  DistanceInfo toOriginal;    ///< from the level's points to LOD 0
-  DistanceInfo fromOriginal;  ///< from LOD 0's points to the level
-  DistanceInfo twoSided;      ///< the larger maximum, the mean over the points of both
-  SpreadInfo normalDegrees;   ///< angle between the shading normals of a point and its nearest point
-  SpreadInfo uv;              ///< distance in texture space (TEXCOORD_0), 0 without
-  double coverage = 0.0;      ///< MSFT_screencoverage of this level
-  std::string stop;           ///< last level only: why there is no coarser one
+  double diagonal = 0.0;                        ///< of LOD 0's box, object-space length; percentages refer to it
+  DistanceInfo toOriginal;                      ///< from the level's points to LOD 0
+  DistanceInfo fromOriginal;                    ///< from LOD 0's points to the level
+  DistanceInfo twoSided;                        ///< the larger maximum, the mean over the points of both
+  SpreadInfo normalDegrees;                     ///< angle between the shading normals of a point and its nearest point
+  SpreadInfo uv;                                ///< distance in texture space (TEXCOORD_0), 0 without
+  double coverage = 0.0;                        ///< MSFT_screencoverage of this level
+  std::string stop;                             ///< last level only: why there is no coarser one
+  std::optional<double> target = std::nullopt;  ///< error that was asked for, object-space length
 };
 
 /// What the baker knows of one level.

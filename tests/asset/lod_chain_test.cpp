@@ -78,6 +78,29 @@ TEST(LodChain, AMeanIsAFiniteLengthUpToTheMaximum) {
   EXPECT_EQ(read(0.75, std::nan("")), "extras.jalousie.mean is no finite float");
 }
 
+TEST(LodChain, TargetsAreReadFromFormat4On) {
+  LodMeasures measures{10.0, {0.5, 0.25}, {0.75, 0.125}, {0.75, 0.2}, {3.0, 9.0}, {0.01, 0.03}, 0.5, ""};
+  measures.target = 0.8;
+  tinygltf::Mesh mesh;
+  setLodInfo(mesh, {2, 25, 15, 0.75, measures});
+  EXPECT_EQ(lodInfo(mesh)->measures->target, 0.8);
+  const auto reread = [&](const char* key, tinygltf::Value value) {
+    auto extras = mesh.extras.Get<tinygltf::Value::Object>();
+    auto own = extras["jalousie"].Get<tinygltf::Value::Object>();
+    own[key] = std::move(value);
+    extras["jalousie"] = tinygltf::Value(own);
+    tinygltf::Mesh changed;
+    changed.extras = tinygltf::Value(extras);
+    return lodInfo(changed);
+  };
+  EXPECT_FALSE(reread("format", tinygltf::Value(3))->measures->target.has_value());
+  EXPECT_EQ(codeOf([&] { reread("target", tinygltf::Value(-0.1)); }), ErrorCode::kMalformed);
+  EXPECT_EQ(codeOf([&] { reread("target", tinygltf::Value(std::string("0.8"))); }), ErrorCode::kMalformed);
+  measures.target.reset();
+  setLodInfo(mesh, {2, 25, 15, 0.75, measures});
+  EXPECT_FALSE(lodInfo(mesh)->measures->target.has_value());
+}
+
 TEST(LodChain, InfoKeepsOtherExtras) {
   tinygltf::Mesh mesh;
   mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"author", tinygltf::Value(std::string("someone"))}});
@@ -103,7 +126,8 @@ TEST(LodChain, BrokenInfoIsMalformed) {
     mesh.extras = Value(extras);
     return codeOf([&] { lodInfo(mesh); });
   };
-  EXPECT_EQ(code("format", Value(4)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(5)), ErrorCode::kMalformed);
+  EXPECT_EQ(code("format", Value(4)), ErrorCode::kMalformed);  // whose measures are missing
   EXPECT_EQ(code("format", Value(0)), ErrorCode::kMalformed);
   EXPECT_EQ(code("format", Value(3)), ErrorCode::kMalformed);  // whose measures are missing
   EXPECT_EQ(code("format", Value(2)), ErrorCode::kMalformed);  // as before

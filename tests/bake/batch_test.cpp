@@ -9,6 +9,7 @@
 #include "bake/bake_fixtures.h"
 #include "bake/pipeline/batch.h"
 #include "bake/pipeline/command_line.h"
+#include "bake/pipeline/progress_log.h"
 #include "core/file.h"
 #include "support/run_program.h"
 
@@ -290,6 +291,21 @@ TEST_F(BakeBatch, SlowFilesAreGivenUp) {
   EXPECT_NE(result.standardError.find("--timeout"), std::string::npos) << result.standardError;
   EXPECT_TRUE(fs::exists(folder_ / "out/quad.glb"));
   EXPECT_FALSE(fs::exists(folder_ / "out/large.glb"));
+}
+
+TEST(ProgressLog, ShowsALongBakeEveryTenSecondsAndNoShortOne) {
+  const bake::ProgressLog::Time start{};
+  bake::ProgressLog log(start);
+  const auto lineAt = [&](int milliseconds) {
+    return log.lineAt(start + std::chrono::milliseconds(milliseconds), "level 2 of 10");
+  };
+  EXPECT_FALSE(lineAt(0).has_value());
+  EXPECT_FALSE(lineAt(9999).has_value());
+  EXPECT_EQ(lineAt(10000), "baking for 10 s: level 2 of 10");
+  EXPECT_FALSE(lineAt(19999).has_value());
+  EXPECT_EQ(lineAt(95000), "baking for 1 min 35 s: level 2 of 10");  // one line, however long nobody asked
+  EXPECT_FALSE(lineAt(99999).has_value());
+  EXPECT_EQ(log.lineAt(start + std::chrono::seconds(100), ""), "baking for 1 min 40 s");
 }
 
 TEST(BakeLimits, DefaultsGrowWithTheInputAndStayWithinTheMachine) {

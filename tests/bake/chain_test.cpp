@@ -160,6 +160,87 @@ TEST(Chain, StopsWithTheReason) {
   EXPECT_NEAR(chain.levels[2].mesh.triangles(), 0.1 * mesh.triangles(), 2.0);
 }
 
+TEST_P(EveryPreset, ErrorsAreTargetsThatAreReachedAndNotExceeded) {
+  const WedgeMesh mesh = test::wedges(test::sphere(64, 32));
+  ChainOptions options = quickOptions(GetParam());
+  options.errors = {0.2, 0.5, 2.0, 8.0};
+  const double diagonal = 2.0 * std::sqrt(3.0);
+  const LevelChain chain = makeChain(mesh, options);
+  expectLaws(chain);
+  EXPECT_EQ(chain.stopReason, "all levels made");
+  ASSERT_EQ(chain.levels.size(), 5U);
+  for (std::size_t k = 1; k < 5; ++k) {
+    const double target = 0.01 * options.errors[k - 1] * diagonal;
+    EXPECT_NEAR(chain.levels[k].target.value(), target, 1e-6);
+    EXPECT_LE(chain.levels[k].errorMax, *chain.levels[k].target);
+    EXPECT_GE(chain.levels[k].errorMax, 0.7 * target) << k;
+  }
+  // Nine tenths of the triangles exceed the target. A draft depends on the level that it starts from.
+  for (std::size_t k = 1; k < 4 && GetParam() != Preset::kDraft; ++k) {
+    ChainOptions fewer = quickOptions(GetParam());
+    fewer.targets = {chain.levels[k].mesh.triangles() * 9 / 10};
+    EXPECT_GT(makeChain(mesh, fewer).levels.at(1).errorMax, 0.01 * options.errors[k - 1] * diagonal) << k;
+  }
+  EXPECT_EQ(chain.levels[2].mesh.corners, makeChain(mesh, options).levels[2].mesh.corners);
+}
+
+TEST(Chain, ErrorsThatNoLevelReachesAreNamed) {
+  ChainOptions options = quickOptions();
+  options.errors = {1e-4, 2.0, 2.01};
+  const LevelChain chain = makeChain(test::wedges(test::sphere(32, 16)), options);
+  ASSERT_GE(chain.levels.size(), 2U);
+  EXPECT_NEAR(chain.levels[1].target.value(), 0.02 * 2.0 * std::sqrt(3.0), 1e-6);
+  EXPECT_NE(chain.stopReason.find("0.0001 %"), std::string::npos) << chain.stopReason;
+  options.errors = {1.0};
+  options.errorReserve = 1.0;  // more than the target
+  EXPECT_EQ(makeChain(test::wedges(test::sphere(32, 16)), options).levels.size(), 1U);
+}
+
+TEST(Chain, PartsStayWhoseAbsenceWouldExceedTheTarget) {
+  asset::Primitive two = test::sphere(48, 24);
+  const asset::Primitive small = test::sphere(16, 8);
+  const auto first = static_cast<std::uint32_t>(two.positions.size());
+  for (const glm::vec3& p : small.positions)
+    two.positions.push_back(0.01F * p + glm::vec3(1.5F, 0.0F, 0.0F));
+  two.normals.insert(two.normals.end(), small.normals.begin(), small.normals.end());
+  for (const std::uint32_t i : small.indices)
+    two.indices.push_back(first + i);
+  ChainOptions options = quickOptions();
+  options.ratios = {0.02};
+  const WedgeMesh mesh = test::wedges(two);
+  EXPECT_EQ(makeChain(mesh, options).levels.at(1).removedParts, 1U);
+  options.ratios.clear();
+  options.errors = {2.0, 20.0};
+  const LevelChain chain = makeChain(mesh, options);
+  ASSERT_EQ(chain.levels.size(), 3U);
+  EXPECT_EQ(chain.levels[1].removedParts, 0U);
+  EXPECT_LT(chain.levels[1].mesh.triangles(), mesh.triangles() / 3);
+  EXPECT_EQ(chain.levels[2].removedParts, 1U);
+}
+
+TEST(Chain, AStepTooFarEndsBeforeTheErrorThatIsAllowed) {
+  // Four balls far apart: the level that was asked for would be without three of them.
+  asset::Primitive balls;
+  const asset::Primitive ball = test::sphere(16, 8);
+  for (int i = 0; i < 4; ++i) {
+    const auto first = static_cast<std::uint32_t>(balls.positions.size());
+    for (const glm::vec3& p : ball.positions)
+      balls.positions.push_back(0.1F * p + glm::vec3(static_cast<float>(i % 2) * 10.0F, 0.0F, i < 2 ? 0.0F : 10.0F));
+    balls.normals.insert(balls.normals.end(), ball.normals.begin(), ball.normals.end());
+    for (const std::uint32_t k : ball.indices)
+      balls.indices.push_back(first + k);
+  }
+  ChainOptions options = quickOptions();
+  options.ratios = {0.005};
+  const WedgeMesh mesh = test::wedges(balls);
+  const LevelChain chain = makeChain(mesh, options);
+  expectLaws(chain);
+  ASSERT_EQ(chain.levels.size(), 2U);
+  EXPECT_EQ(chain.levels[1].removedParts, 0U);
+  EXPECT_LT(chain.levels[1].mesh.triangles(), mesh.triangles() / 4);
+  EXPECT_NE(chain.stopReason.find("would be off by"), std::string::npos);
+}
+
 TEST(Chain, CoverageDescendsToZeroAndFollowsTheTolerance) {
   const LevelChain chain = makeChain(test::wedges(test::sphere(64, 32)), quickOptions());
   const std::vector<float> coverage = screenCoverage(chain, 1.0);

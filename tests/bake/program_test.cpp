@@ -127,6 +127,46 @@ TEST_F(BakeProgram, InspectAndSheetShowTheBake) {
   EXPECT_EQ(bake({"inspect"}).exitCode, 2);
 }
 
+TEST_F(BakeProgram, ErrorsAreTargetsAlsoInQuantisedFiles) {
+  for (const bool quantize : {false, true}) {
+    std::vector<std::string> arguments = {file("ball.ply"), "-o",     file("out.glb"), "--error",
+                                          "0.5%,2,10%",     "--json", file("r.json")};
+    if (quantize) arguments.emplace_back("--quantize");
+    const ProgramResult result = bake(arguments);
+    ASSERT_EQ(result.exitCode, 0) << result.standardError;
+    EXPECT_EQ(result.standardError, "");  // a short bake needs no sign of life
+    EXPECT_NE(result.standardOutput.find("target %"), std::string::npos);
+    EXPECT_NE(bake({"inspect", file("out.glb")}).standardOutput.find("target %"), std::string::npos);
+    const nlohmann::json report = nlohmann::json::parse(std::ifstream(file("r.json")))["meshes"][0]["levels"];
+    const nlohmann::json levels =
+        nlohmann::json::parse(bake({"inspect", file("out.glb"), "--json"}).standardOutput)["chains"][0]["levels"];
+    ASSERT_EQ(levels.size(), 4U);
+    EXPECT_FALSE(levels[0].contains("target_percent"));
+    const double targets[] = {0.5, 2.0, 10.0};
+    for (std::size_t k = 1; k < 4; ++k) {
+      EXPECT_NEAR(levels[k]["target_percent"].get<double>(), targets[k - 1], 1e-6);
+      EXPECT_NEAR(report[k]["target_percent"].get<double>(), targets[k - 1], 1e-6);
+      EXPECT_LE(levels[k]["error_percent"].get<double>(), targets[k - 1] * (1.0 + 1e-9)) << quantize;
+    }
+  }
+}
+
+TEST_F(BakeProgram, ErrorsStandAloneAndAscend) {
+  const auto refuse = [&](const char* errors, std::vector<std::string> more, const std::string& mention) {
+    more.insert(more.begin(), {file("ball.ply"), "-o", file("out.glb"), "--error", errors});
+    expectRefused(more, 2, mention);
+  };
+  for (const char* other : {"--levels", "--coarsest", "--until-error"})
+    refuse("1%", {other, "5"}, std::string("leave out ") + other);
+  for (const char* other : {"--ratio", "--ratios"})
+    refuse("1%", {other, "0.5"}, std::string("leave out ") + other);
+  refuse("2,1", {}, "--error must ascend");
+  refuse("1,1", {}, "--error must ascend");
+  for (const char* bad : {"0", "-1", "101", "nan", "1%%", "%", "1e", "x"})
+    refuse(bad, {}, std::string(bad) + " is not a percentage above 0, at most 100");
+  refuse("1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16", {}, "at most 15 levels");
+}
+
 TEST_F(BakeProgram, SeveralInputsBecomeSeveralNodesInOrder) {
   std::ofstream(file("quad.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
   ASSERT_EQ(bake({file("ball.ply"), file("quad.obj"), "-o", file("out.glb"), "-q"}).exitCode, 0);

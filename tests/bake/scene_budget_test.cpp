@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "bake/bake_fixtures.h"
 #include "bake/io/bake_document.h"
 #include "bake/io/node_scales.h"
+#include "bake/io/touching_meshes.h"
 
 namespace jalousie::bake {
 namespace {
@@ -21,18 +24,33 @@ TEST(SceneBudget, CutsAllMeshesAtOneCost) {
   options.ratios = {0.75, 0.5, 0.15};
   const auto targets = shareBudget(meshes, options);
   ASSERT_EQ(targets.size(), 2U);
-  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{90, 50, 10}));
+  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{57, 10}));  // 90 of 100 and 50 of 57 are no steps
   EXPECT_EQ(targets[1], (std::vector<std::uint32_t>{60, 30, 10}));
 }
 
 TEST(SceneBudget, CountsEveryNodeAndLeavesOutLevelsThatChangeNothing) {
   const std::vector<BudgetMesh> meshes = {{100, 3, {{20, 1.0}}, 0.0}, {100, 1, {{10, 5.0}}, 0.0}};
   ChainOptions options;
-  options.ratios = {0.5, 0.2};  // 200 and 80 of 400 triangles
+  options.ratios = {0.5, 0.25};  // 200 and 100 of 400 triangles
   const auto targets = shareBudget(meshes, options);
-  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{20}));
-  EXPECT_EQ(targets[1], (std::vector<std::uint32_t>{10}));
+  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{25, 20}));
+  EXPECT_EQ(targets[1], (std::vector<std::uint32_t>{25}));
   EXPECT_TRUE(shareBudget(std::vector<BudgetMesh>(2, BudgetMesh{12, 1, {}, 0.0}), options)[0].empty());
+}
+
+TEST(SceneBudget, NoMeshFallsFarBelowItsShareUnlessNobodySeesIt) {
+  // The first mesh is cheap, the others are dear: without a floor it would pay for them.
+  const std::vector<CostPoint> cheap = {{500, 1.0}, {100, 2.0}, {10, 3.0}};
+  const std::vector<CostPoint> dear = {{700, 100.0}, {10, 200.0}};
+  std::vector<BudgetMesh> meshes = {{1000, 1, cheap, 0.0}, {1000, 1, dear, 0.0}};
+  ChainOptions options;
+  options.ratios = {0.6, 0.3};
+  auto targets = shareBudget(meshes, options);
+  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{360, 90}));  // 0.6^2 of 1000, then 0.5^2 of that
+  EXPECT_EQ(targets[1].size(), 2U);
+  meshes[0].unseen = 10;
+  targets = shareBudget(meshes, options);
+  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{100, 10}));
 }
 
 int addMesh(tinygltf::Model& model, const asset::Primitive& mesh) {
@@ -97,6 +115,90 @@ TEST(SceneBudget, SpendsTrianglesWhereTheErrorIs) {
     EXPECT_LT(together[2].levels.back().triangles, together[1].levels.back().triangles);
     EXPECT_LE(together[0].levels.back().triangles, 4U + 2U);  // the plate is flat
   }
+}
+
+/// Half a bumpy sphere; the halves of both signs share the vertices of their rim.
+asset::Primitive halfSphere(float sign) {
+  constexpr std::uint32_t kAround = 64;
+  constexpr std::uint32_t kUp = 16;
+  asset::Primitive mesh;
+  for (std::uint32_t j = 0; j <= kUp; ++j) {
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const float a = 6.2831853F * static_cast<float>(i) / kAround;
+      const float b = j == 0 ? 0.0F : 1.5F * static_cast<float>(j) / kUp;
+      const float r = 1.0F + 0.1F * std::sin(5.0F * a);
+      mesh.positions.emplace_back(r * std::cos(a) * std::cos(b), sign * std::sin(b), r * std::sin(a) * std::cos(b));
+      mesh.normals.push_back(glm::normalize(mesh.positions.back()));
+    }
+  }
+  for (std::uint32_t j = 0; j < kUp; ++j) {
+    for (std::uint32_t i = 0; i < kAround; ++i) {
+      const std::uint32_t a = j * kAround + i;
+      const std::uint32_t b = j * kAround + (i + 1) % kAround;
+      const std::array<std::uint32_t, 6> quad = {a, a + kAround, b, b, a + kAround, b + kAround};
+      mesh.indices.insert(mesh.indices.end(), quad.begin(), quad.end());
+      if (sign < 0.0F) std::swap(mesh.indices[mesh.indices.size() - 2], mesh.indices.back());
+      if (sign < 0.0F) std::swap(mesh.indices[mesh.indices.size() - 5], mesh.indices[mesh.indices.size() - 4]);
+    }
+  }
+  return mesh;
+}
+
+/// The positions of the vertices near the rim, in order.
+std::vector<std::array<float, 3>> rimOf(const tinygltf::Model& model, int mesh) {
+  const tinygltf::Primitive& primitive = model.meshes[static_cast<std::size_t>(mesh)].primitives[0];
+  std::vector<std::array<float, 3>> rim;
+  for (const glm::vec3& p : asset::readVec3(model, primitive.attributes.at("POSITION"), 1U << 20U))
+    if (std::abs(p.y) < 1e-3F) rim.push_back({p.x, p.y, p.z});
+  std::sort(rim.begin(), rim.end());
+  return rim;
+}
+
+TEST(SceneBudget, NothingOpensBetweenMeshesThatTouch) {
+  for (const bool shared : {true, false}) {
+    tinygltf::Model model;
+    model.asset.version = "2.0";
+    addMesh(model, halfSphere(1.0F));
+    addMesh(model, halfSphere(-1.0F));
+    const std::vector<std::array<float, 3>> rim = rimOf(model, 0);
+    ASSERT_EQ(rim.size(), 64U);
+    const std::vector<MeshReport> reports = bakeIt(model, shared, 0.25);
+    ASSERT_EQ(reports[0].levels.size(), 2U);
+    ASSERT_EQ(reports[1].levels.size(), 2U);
+    EXPECT_LE(reports[0].levels[1].triangles + reports[1].levels[1].triangles, 1024U + 1U);
+    const std::vector<std::array<float, 3>> upper = rimOf(model, 2);
+    const std::vector<std::array<float, 3>> lower = rimOf(model, 3);
+    EXPECT_EQ(upper == rim && lower == rim, shared) << upper.size() << " and " << lower.size();
+  }
+}
+
+TEST(SceneBudget, OnlyEqualPlacesUnderEqualTransformsTouch) {
+  const std::vector<glm::vec3> first = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  const std::vector<glm::vec3> second = {{2, 0, 0}, {-0.0F, 0, 0}, {3, 0, 0}};
+  const glm::dmat4 here(1.0);
+  const glm::dmat4 there = glm::dmat4(2.0);
+  const auto touching =
+      touchingPlaces(std::vector<MeshBorder>{{{here}, first}, {{there, here}, second}, {{there}, first}});
+  EXPECT_EQ(touching[0], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(touching[1], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(touching[2], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
+  const std::vector<MeshBorder> apart = {{{here}, first}, {{there}, first}, {{here, here}, {{5, 5, 5}, {5, 5, 5}}}};
+  for (const std::vector<glm::vec3>& own : touchingPlaces(apart))
+    EXPECT_TRUE(own.empty());
+}
+
+TEST(SceneBudget, ErrorsReferToTheLargestMesh) {
+  tinygltf::Model model = scene();
+  BakeOptions options;
+  options.chain.errors = {1.0};
+  options.sceneBudget = true;
+  const std::vector<MeshReport> reports =
+      bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {});
+  const double most = 0.01 * 4.0 * reports[1].diagonal;  // of the sphere with scale 4
+  EXPECT_LE(4.0 * reports[1].levels.at(1).errorObject, most);
+  EXPECT_GE(4.0 * reports[1].levels.at(1).errorObject, 0.7 * most);
+  EXPECT_LE(0.1 * reports[2].levels.at(1).errorObject, most);
+  EXPECT_LT(reports[2].levels.at(1).triangles, reports[1].levels.at(1).triangles / 10);
 }
 
 TEST(SceneBudget, NodeScalesMultiplyDownTheHierarchy) {

@@ -27,13 +27,15 @@ TEST(Repository, HoldsNoFileOverOneMebibyte) {
 }
 
 TEST(Repository, ScriptsAreExecutable) {
-  for (const char* script : {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh",
-                             "bench/bake_bench", "bench/place_models.mjs", "bench/prove", ".ci/run"})
+  for (const char* script :
+       {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh", "bench/bake_bench",
+        "bench/bake_scene", "bench/place_models.mjs", "bench/prove", ".ci/run"})
     EXPECT_NE(fs::status(kRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
 }
 
 TEST(Repository, ScriptsExplainThemselvesAndRefuseUnknownOptions) {
-  for (const char* script : {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/prove"}) {
+  for (const char* script :
+       {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/bake_scene", "bench/prove"}) {
     EXPECT_EQ(test::runProgram(kRoot / script, {"--help"}).exitCode, 0) << script;
     EXPECT_EQ(test::runProgram(kRoot / script, {"--no-such-option"}).exitCode, 2) << script;
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "asset/gltf_file.h"
 #include "bake/io/level_cells.h"
@@ -16,7 +18,9 @@ struct BakeOptions {
   std::uint32_t subdivide = 0;      ///< Loop steps before anything else
   std::optional<double> hardAngle;  ///< rebuild normals: edges that bend by more degrees stay hard
   double weld = 0.0;                ///< weld vertices that are at most this far apart, object units
-  bool sceneBudget = false;         ///< ratios hold for all meshes together; not for the preset draft
+  bool sceneBudget = true;          ///< ratios hold for all meshes together; not for the preset draft
+  bool quantized = false;           ///< the document is quantised later: targets of error leave room for its rounding
+  std::vector<glm::vec3> locked;    ///< places of vertices that stay, ascending; object space of the one mesh
   bool keepUnused = false;          ///< keep attributes that no material uses in every level
   ScreenTolerance screen;           ///< for MSFT_screencoverage
   CellOptions cells;

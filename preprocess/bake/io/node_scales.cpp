@@ -1,4 +1,4 @@
-// Multiplies the scales of the local transforms from the roots down.
+// Multiplies the local transforms from the roots down.
 #include "bake/io/node_scales.h"
 
 #include <cmath>
@@ -7,12 +7,11 @@
 
 namespace jalousie::bake {
 
-std::vector<double> nodeScales(const tinygltf::Model& model) {
-  std::vector<double> scales(model.nodes.size(), 1.0);
+std::vector<glm::dmat4> worldTransforms(const tinygltf::Model& model) {
+  std::vector<glm::dmat4> transforms(model.nodes.size());
   std::vector<bool> isChild(model.nodes.size(), false);
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-    scales[n] = std::cbrt(std::abs(glm::determinant(glm::dmat3(asset::localTransform(model.nodes[n])))));
-    if (!std::isfinite(scales[n])) scales[n] = 0.0;
+    transforms[n] = asset::localTransform(model.nodes[n]);
     for (const int child : model.nodes[n].children)
       isChild[static_cast<std::size_t>(child)] = true;
   }
@@ -23,9 +22,18 @@ std::vector<double> nodeScales(const tinygltf::Model& model) {
     const std::size_t n = open.back();
     open.pop_back();
     for (const int child : model.nodes[n].children) {
-      scales[static_cast<std::size_t>(child)] *= scales[n];
+      transforms[static_cast<std::size_t>(child)] = transforms[n] * transforms[static_cast<std::size_t>(child)];
       open.push_back(static_cast<std::size_t>(child));
     }
+  }
+  return transforms;
+}
+
+std::vector<double> nodeScales(const tinygltf::Model& model) {
+  std::vector<double> scales;
+  for (const glm::dmat4& transform : worldTransforms(model)) {
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(transform))));
+    scales.push_back(std::isfinite(scale) ? scale : 0.0);
   }
   return scales;
 }

@@ -73,4 +73,14 @@ EdgeTable findEdges(const WedgeMesh& mesh) {
   return table;
 }
 
+std::vector<glm::vec3> borderPositions(const WedgeMesh& mesh, const EdgeTable& edges) {
+  std::vector<bool> onBorder(mesh.positions.size(), false);
+  for (const MeshEdge& edge : edges.edges)
+    if (edge.kind == EdgeKind::kBorder) onBorder[edge.a] = onBorder[edge.b] = true;
+  std::vector<glm::vec3> positions;
+  for (std::size_t v = 0; v < onBorder.size(); ++v)
+    if (onBorder[v]) positions.push_back(mesh.positions[v]);
+  return positions;
+}
+
 }  // namespace jalousie::bake

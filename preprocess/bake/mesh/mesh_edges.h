@@ -34,6 +34,9 @@ struct EdgeTable {
 
 EdgeTable findEdges(const WedgeMesh& mesh);
 
+/// Positions of the vertices of open edges. @param edges  of the mesh
+std::vector<glm::vec3> borderPositions(const WedgeMesh& mesh, const EdgeTable& edges);
+
 /// The corner after c in its triangle.
 inline std::uint32_t nextCorner(std::uint32_t c) {
   return c % 3 == 2 ? c - 2 : c + 1;

@@ -162,6 +162,7 @@ JobSettings settingsOf(const CommandLine& command) {
   JobSettings settings;
   settings.bake = command.bake;
   settings.quantize = command.quantize;
+  settings.bake.quantized = command.quantize;
   settings.compress = command.compress;
   settings.makeFolders = isBatch(command);
   settings.meshReports = !command.json.empty() || !command.cache.empty();

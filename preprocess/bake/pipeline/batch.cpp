@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -17,6 +16,7 @@
 #include <string>
 #include <thread>
 
+#include "bake/pipeline/progress_log.h"
 #include "core/file.h"
 #include "core/interruption.h"
 #include "core/progress.h"
@@ -46,13 +46,6 @@ std::uint64_t bytesOf(const BakeJob& job) {
       if (file->path().extension() == ".bin") bytes += bytesOf(file->path());
   }
   return std::max<std::uint64_t>(bytes, 1);
-}
-
-std::string durationText(double seconds) {
-  const auto whole = static_cast<std::uint64_t>(std::lround(std::min(seconds, 1e6)));
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 /// The memory limit of the control group; the largest number if there is none.
@@ -184,7 +177,7 @@ class Batch {
   }
 
   void showProgress() {
-    if (jobs_.size() == 1) return progress_.update(0, running_.empty() ? "" : running_.front().worker.progress());
+    if (jobs_.size() == 1) return showSteps(running_.empty() ? "" : running_.front().worker.progress());
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     std::string text = fmt::format("{} of {} files", finished_, jobs_.size());
     if (finished_ > 0) {
@@ -194,6 +187,14 @@ class Batch {
     }
     if (!running_.empty()) text += ": " + jobs_[running_.front().job].inputs.front().filename().string();
     progress_.update(finishedBytes_, text);
+  }
+
+  /// A terminal shows each step of a single file, a log a line from time to time.
+  void showSteps(const std::string& step) {
+    progress_.update(0, step);
+    if (progress_.visible() || options_.quiet || running_.empty()) return;
+    if (const auto line = log_.lineAt(Clock::now(), oneLine(step)))
+      progress_.print(fmt::format("jalousie-bake: {}", *line));
   }
 
   std::span<const BakeJob> jobs_;
@@ -208,6 +209,7 @@ class Batch {
   std::uint64_t totalBytes_ = totalBytes(jobs_);
   std::uint64_t finishedBytes_ = 0;
   Clock::time_point start_ = Clock::now();
+  ProgressLog log_{start_};
   std::list<Running> running_;
   BatchOutcome outcome_;
 };

@@ -35,6 +35,8 @@ constexpr const char* kExamples = R"(Examples:
       bake the asset of the thesis: from 58,784 triangles down to 98
   jalousie-bake dragon.ply -o dragon.glb --preset fast --ratios 0.25,0.05 --sheet dragon.html
       bake two levels with 25 and 5 % of the triangles, and a page that shows them
+  jalousie-bake dragon.ply -o dragon.glb --error 0.1%,0.5%,2%
+      bake three levels, each with as few triangles as its error allows
   jalousie-bake inspect dragon.glb
       print the LOD chain of any glTF file
   jalousie-bake city.gltf -o city.glb --levels 6 --ratio 0.4 --json report.json
@@ -155,6 +157,18 @@ void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>
   program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
 }
 
+/// Removes the sign of a percentage. @return  empty, or what is wrong with the number
+std::string percentNumber(std::string& text) {
+  constexpr double kMost = 100.0;
+  const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc() || end != digits.data() + digits.size() || !(number > 0.0 && number <= kMost))
+    return fmt::format("{} is not a percentage above 0, at most {:g}", text, kMost);
+  text = digits;
+  return {};
+}
+
 /// The levels of a chain and when it ends.
 void addChainOptions(CLI::App& program, ChainOptions& chain) {
   program.add_option("--levels", chain.levels, "Make at most this many levels, LOD 0 included")
@@ -180,6 +194,13 @@ void addChainOptions(CLI::App& program, ChainOptions& chain) {
       ->check(CLI::Range(1e-6, 1.0).description(""))
       ->type_name("R,...")
       ->excludes(ratio);
+  program
+      .add_option("--error", chain.errors,
+                  "Make one level for each of these errors instead of numbers of triangles: the stored error comes as "
+                  "near as possible and is never larger; % of the bounding box diagonal, ascending, e.g. 0.1%,0.5%,2%")
+      ->delimiter(',')
+      ->transform(CLI::Validator(percentNumber, ""))
+      ->type_name("E,...");
   program
       .add_option("--until-error", chain.untilError,
                   "End the chain before a level with a larger maximum error, % of the bounding box diagonal")
@@ -275,11 +296,11 @@ void addMeshOptions(CLI::App& program, BakeOptions& bake) {
   program
       .add_option(
           "--budget", bake.sceneBudget,
-          "Apply the ratios to each mesh by itself, or to the scene as a whole. scene: the least error goes first "
-          "in all meshes, so that one level of the whole file has the least error; not with --preset draft")
+          "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
+          "in all meshes, and vertices that the borders of meshes share stay; not with --preset draft")
       ->transform(CLI::Validator(budgetNumber, ""))
       ->type_name("scene|mesh")
-      ->default_str("mesh");
+      ->default_str("scene");
   program.add_option("--weld", bake.weld, "Weld vertices that are at most this far apart, object units [equal ones]")
       ->check(CLI::PositiveNumber)
       ->type_name("DISTANCE");
@@ -336,6 +357,13 @@ void checkOptions(const CLI::App& program, const CommandLine& result) {
     throw Error(ErrorCode::kUsage, "--ratios must descend, e.g. 0.5,0.25,0.1");
   if (chain.ratios.size() >= kMaxLevels)
     throw Error(ErrorCode::kUsage, fmt::format("--ratios: at most {} levels below LOD 0", kMaxLevels - 1));
+  for (const char* other : {"--levels", "--ratio", "--coarsest", "--ratios", "--until-error"})
+    if (!chain.errors.empty() && program.count(other) > 0)
+      throw Error(ErrorCode::kUsage, fmt::format("--error already says which levels are made; leave out {}", other));
+  if (std::adjacent_find(chain.errors.begin(), chain.errors.end(), std::greater_equal<>()) != chain.errors.end())
+    throw Error(ErrorCode::kUsage, "--error must ascend, e.g. 0.1%,0.5%,2%");
+  if (chain.errors.size() >= kMaxLevels)
+    throw Error(ErrorCode::kUsage, fmt::format("--error: at most {} levels below LOD 0", kMaxLevels - 1));
   if (result.inputs.empty() && result.filesFrom.empty())
     throw Error(ErrorCode::kUsage, "inputs is required (see jalousie-bake --help)");
   if (program.count("--cache-limit") > 0 && result.cache.empty())

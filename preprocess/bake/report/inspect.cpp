@@ -57,6 +57,13 @@ std::string cell(const InspectedLevel& level, const char* format, const Figure& 
   return fmt::format(fmt::runtime(format), figure(*level.info->measures));
 }
 
+/// Whether levels of the chain were made for given errors.
+bool hasTargets(const InspectedChain& chain) {
+  return std::any_of(chain.levels.begin(), chain.levels.end(), [](const InspectedLevel& level) {
+    return level.info && level.info->measures && level.info->measures->target;
+  });
+}
+
 std::string levelText(const InspectedChain& chain, std::size_t k) {
   const InspectedLevel& level = chain.levels[k];
   const double share = chain.levels[0].triangles > 0 ? 100.0 * static_cast<double>(level.triangles) /
@@ -67,8 +74,10 @@ std::string levelText(const InspectedChain& chain, std::size_t k) {
   const auto normal = [](const asset::LodMeasures& m) { return m.normalDegrees.mean; };
   const auto p95 = [](const asset::LodMeasures& m) { return m.normalDegrees.p95; };
   const auto uv = [](const asset::LodMeasures& m) { return m.uv.mean; };
-  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", k,
-                     level.triangles, level.vertices, share, cell(level, "{:.4f}", largest),
+  std::string target;
+  if (hasTargets(chain)) target = " " + cell(level, "{}", targetText);
+  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9}{} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", k,
+                     level.triangles, level.vertices, share, cell(level, "{:.4f}", largest), target,
                      cell(level, "{:.5f}", mean), cell(level, "{:.2f}°", normal), cell(level, "{:.2f}°", p95),
                      cell(level, "{:.2g}", uv),
                      k < chain.coverage.size() ? fmt::format("{:.2g}", chain.coverage[k]) : "-",
@@ -91,6 +100,10 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   if (!level.info || !level.info->measures) return json;
   const asset::LodMeasures& measures = *level.info->measures;
   json["error_percent"] = percentOf(measures.diagonal, level.info->errorObject);
+  if (measures.target) {
+    json["target_object"] = *measures.target;
+    json["target_percent"] = percentOf(measures.diagonal, *measures.target);
+  }
   json["mean_percent"] = percentOf(measures.diagonal, measures.twoSided.mean);
   json["normal_degrees"] = {{"mean", measures.normalDegrees.mean}, {"p95", measures.normalDegrees.p95}};
   json["uv"] = {{"mean", measures.uv.mean}, {"p95", measures.uv.p95}};
@@ -124,9 +137,9 @@ std::string inspectText(const std::vector<InspectedChain>& chains) {
   for (const InspectedChain& chain : chains) {
     text += fmt::format("{}: {} level{}, {} node{}\n", oneLine(chain.name), chain.levels.size(),
                         chain.levels.size() == 1 ? "" : "s", chain.nodes, chain.nodes == 1 ? "" : "s");
-    text +=
-        fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "LOD", "triangles",
-                    "vertices", "%", "max %", "mean %", "normal", "p95", "uv", "coverage", "cells", "largest");
+    text += fmt::format("  {:>3} {:>10} {:>10} {:>7} {:>9}{} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}\n", "LOD",
+                        "triangles", "vertices", "%", "max %", hasTargets(chain) ? "  target %" : "", "mean %",
+                        "normal", "p95", "uv", "coverage", "cells", "largest");
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       text += levelText(chain, k);
     const auto& last = chain.levels.back().info;

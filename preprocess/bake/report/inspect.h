@@ -43,7 +43,8 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 std::string inspectText(const std::vector<InspectedChain>& chains);
 /// {"chains": [{"name", "nodes", "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file
 /// says,
-///   "error_object", "error_percent", "mean_percent", "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
+///   "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
+///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
 ///   "stop", "cells": {"count", "filled", "largest", "mean"}}]}]}
 std::string inspectJson(const std::vector<InspectedChain>& chains);
 

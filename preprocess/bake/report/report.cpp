@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bake/report/percent.h"
@@ -35,15 +36,19 @@ std::string findingsText(const MeshFindings& findings) {
 }
 
 std::string levelsText(const MeshReport& mesh) {
-  std::string text =
-      fmt::format("  {:>3} {:>10} {:>10} {:>11} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD", "triangles", "vertices",
-                  "max error", "max %", "mean %", "normal", "p95", "uv", "coverage");
+  const bool hasTargets = std::any_of(mesh.levels.begin(), mesh.levels.end(),
+                                      [](const asset::LodInfo& level) { return level.measures->target.has_value(); });
+  std::string text = fmt::format("  {:>3} {:>10} {:>10} {:>11} {:>9}{} {:>9} {:>8} {:>8} {:>9} {:>9}\n", "LOD",
+                                 "triangles", "vertices", "max error", "max %", hasTargets ? "  target %" : "",
+                                 "mean %", "normal", "p95", "uv", "coverage");
   for (const asset::LodInfo& level : mesh.levels) {
     const asset::LodMeasures& measures = *level.measures;
-    text += fmt::format("  {:>3} {:>10} {:>10} {:>11.5g} {:>9.4f} {:>9.5f} {:>7.2f}° {:>7.2f}° {:>9.2g} {:>9.2g}\n",
+    const std::string target = hasTargets ? " " + targetText(measures) : "";
+    text += fmt::format("  {:>3} {:>10} {:>10} {:>11.5g} {:>9.4f}{} {:>9.5f} {:>7.2f}° {:>7.2f}° {:>9.2g} {:>9.2g}\n",
                         level.lod, level.triangles, level.vertices, level.errorObject,
-                        percentOf(mesh.diagonal, level.errorObject), percentOf(mesh.diagonal, measures.twoSided.mean),
-                        measures.normalDegrees.mean, measures.normalDegrees.p95, measures.uv.mean, measures.coverage);
+                        percentOf(mesh.diagonal, level.errorObject), target,
+                        percentOf(mesh.diagonal, measures.twoSided.mean), measures.normalDegrees.mean,
+                        measures.normalDegrees.p95, measures.uv.mean, measures.coverage);
   }
   return text;
 }
@@ -62,6 +67,10 @@ ordered_json levelJson(const asset::LodInfo& level, double diagonal) {
                        {"vertices", level.vertices},
                        {"error_object", level.errorObject},
                        {"error_percent", percentOf(diagonal, level.errorObject)}};
+  if (measures.target) {
+    json["target_object"] = *measures.target;
+    json["target_percent"] = percentOf(diagonal, *measures.target);
+  }
   json["two_sided"] = distanceJson(measures.twoSided, diagonal);
   json["to_original"] = distanceJson(measures.toOriginal, diagonal);
   json["from_original"] = distanceJson(measures.fromOriginal, diagonal);

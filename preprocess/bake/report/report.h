@@ -16,7 +16,8 @@ std::string reportText(const std::vector<MeshReport>& meshes);
 /// "degenerate", "bridges", "duplicate",
 ///   "repaired_values", "non_manifold_edges", "open_edges", "snapped", "nearly_welded",
 ///   "loose_parts", "unused_attributes": [name],
-///   "levels": [{"lod", "triangles", "vertices", "error_object", "error_percent", "two_sided": D, "to_original": D,
+///   "levels": [{"lod", "triangles", "vertices", "error_object", "error_percent", ("target_object",
+///     "target_percent",) "two_sided": D, "to_original": D,
 ///     "from_original": D, "normal_degrees": S, "uv": S, "screen_coverage",
 ///     "removed_parts"}]}]}
 /// with D = {"max", "mean", "max_percent", "mean_percent"} and S = {"mean", "p95"}

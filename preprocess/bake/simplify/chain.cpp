@@ -7,99 +7,24 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/flat_shading.h"
 #include "bake/mesh/normals.h"
 #include "bake/simplify/collapse.h"
-#include "bake/simplify/draft.h"
+#include "bake/simplify/error_search.h"
+#include "bake/simplify/level_maker.h"
 #include "bake/simplify/measure.h"
-#include "bake/simplify/refit.h"
 #include "core/check.h"
 
 namespace jalousie::bake {
 namespace {
 
-CollapseOptions collapseOptions(const ChainOptions& options, const std::vector<bool>& flat) {
-  CollapseOptions collapse = options.collapse;
-  if (options.preset == Preset::kFast && !collapse.normalWeight) collapse.normalWeight = 0.0;
-  if (!flat.empty() && !collapse.normalWeight) collapse.normalWeight = 0.0;  // normals follow the triangles
-  return collapse;
+/// The object-space length of one percent.
+double percentLength(const ChainOptions& options, double diagonal) {
+  return 0.01 * options.reference.value_or(diagonal);
 }
-
-/// Makes the levels of one chain, one after the other.
-class LevelMaker {
- public:
-  LevelMaker(const WedgeMesh& mesh, const ChainOptions& options)
-      : finest_(mesh), options_(options), flat_(flatPrimitives(mesh)) {
-    if (options.preset == Preset::kDraft) {
-      corners_ = mesh.corners;
-      return;
-    }
-    collapser_ = std::make_unique<EdgeCollapser>(mesh, collapseOptions(options, flat_));
-  }
-
-  /// Collapses to a level of at most `target` triangles if the collapse allows it.
-  /// @param vertexMap  from the finest mesh
-  WedgeMesh make(std::uint32_t target, bool exactly, std::vector<std::uint32_t>& vertexMap) {
-    if (!collapser_) {
-      corners_ = exactly ? draftExactly(target) : draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
-      DraftLevel level = draftLevel(finest_, corners_);
-      vertexMap = std::move(level.vertexMap);
-      return std::move(level.mesh);
-    }
-    collapser_->collapseTo(target);
-    WedgeMesh level = collapser_->mesh();
-    vertexMap = collapser_->vertexMap();
-    return level;
-  }
-
-  std::uint32_t removedParts() const { return collapser_ ? collapser_->removedParts() : 0; }
-
-  /// Fits a level to the finest mesh and lets crowds of parts keep their area, unless it is a draft. Flat
-  /// primitives stay flat. @pre the level has at least kMinLevelTriangles
-  void refit(const std::vector<std::uint32_t>& vertexMap, WedgeMesh& level) const {
-    if (collapser_) {
-      refitLevel(finest_, vertexMap, refitOptions(), level);
-      if (!options_.collapse.lockBorder) growParts(collapser_->partClasses(), vertexMap, level);
-    }
-    restoreFlatShading(flat_, level);
-  }
-
- private:
-  RefitOptions refitOptions() const {
-    RefitOptions refit;
-    refit.lockBorder = options_.collapse.lockBorder;
-    refit.slices = options_.slices;
-    refit.partOfVertex = collapser_->partClasses().partOfVertex;
-    if (options_.preset == Preset::kFast) {
-      refit.rounds = 1;
-      refit.samplesPerTriangle = 3;
-      refit.mostSamples = 1.0;
-    }
-    return refit;
-  }
-
-  /// A collapse can undershoot its target; a slightly larger target often gives the wanted count.
-  std::vector<std::uint32_t> draftExactly(std::uint32_t target) const {
-    std::vector<std::uint32_t> best = draftCorners(finest_, corners_, target, options_.collapse.lockBorder);
-    const auto miss = [&](const std::vector<std::uint32_t>& corners) {
-      return std::abs(static_cast<std::int64_t>(corners.size() / 3) - static_cast<std::int64_t>(target));
-    };
-    for (std::uint32_t extra = 1; extra <= 32 && miss(best) > 0; ++extra) {
-      std::vector<std::uint32_t> candidate =
-          draftCorners(finest_, corners_, target + extra, options_.collapse.lockBorder);
-      if (miss(candidate) < miss(best)) best = std::move(candidate);
-    }
-    return best;
-  }
-
-  const WedgeMesh& finest_;
-  const ChainOptions& options_;
-  std::vector<bool> flat_;  ///< primitives
-  std::unique_ptr<EdgeCollapser> collapser_;
-  std::vector<std::uint32_t> corners_;  ///< drafts only
-};
 
 /// The cost of the measure follows the size of the mesh; large meshes have the figures of the preset.
 MeterOptions meterOptions(const ChainOptions& options, std::uint32_t triangles, double diagonal) {
@@ -111,12 +36,13 @@ MeterOptions meterOptions(const ChainOptions& options, std::uint32_t triangles, 
   if (options.preset == Preset::kFast) meter.samples = 12000, meter.searches = 10000;
   if (options.preset == Preset::kDraft) meter.samples = 10000, meter.searches = 5000;
   meter.searches = std::min(meter.searches, (best ? 16U : 4U) * std::min(16 + triangles, 1U << 20U));
-  meter.giveUp = options.untilLength.value_or(options.untilError * 0.01 * diagonal);
+  meter.giveUp = percentLength(options, diagonal) * options.untilError;
   if (options.samples) meter.samples = *options.samples, meter.perTriangle = 0;
   return meter;
 }
 
 std::size_t levelsWanted(const ChainOptions& options) {
+  if (!options.errors.empty()) return options.errors.size() + 1;
   if (!options.targets.empty()) return options.targets.size() + 1;
   return options.ratios.empty() ? std::size_t{options.levels} : options.ratios.size() + 1;
 }
@@ -137,71 +63,127 @@ std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::s
   return static_cast<std::uint32_t>(std::lround(finest * std::pow(ratio, static_cast<double>(k))));
 }
 
-std::vector<CostPoint> costCurve(const WedgeMesh& mesh, const ChainOptions& options) {
+CostCurve costCurve(const WedgeMesh& mesh, const ChainOptions& options) {
+  constexpr double kUnseen = 1e-3;  // of the diagonal
   const bool isDraft = options.preset == Preset::kDraft;
   JAL_CHECK(!isDraft);
   EdgeCollapser collapser(mesh, collapseOptions(options, flatPrimitives(mesh)));
   collapser.collapseTo(kMinLevelTriangles);
-  std::vector<CostPoint> costs = collapser.costs();
+  CostCurve curve{collapser.costs(), mesh.triangles()};
   const double diagonal = boundsOf(mesh.positions).diagonal();
   double area = 0.0;
   for (std::size_t c = 0; c < mesh.corners.size(); c += 3)
     area += triangleArea(mesh.positions[mesh.vertexAt(c)], mesh.positions[mesh.vertexAt(c + 1)],
                          mesh.positions[mesh.vertexAt(c + 2)]);
-  if (!(area > 0.0)) return {};
-  // A cost is a squared distance times the area of a few triangles.
-  double last = 0.0;
-  for (CostPoint& point : costs) {
-    last = std::max(last, point.cost * std::pow(diagonal, 4.0) * point.triangles / area);
-    point.cost = last;
+  const double unit = std::pow(diagonal, 4.0);
+  for (CostPoint& point : curve.points) {
+    point.cost *= unit;
+    // A cost is a squared distance times the area of a few triangles.
+    if (point.cost * point.triangles <= area * std::pow(kUnseen * diagonal, 2.0)) curve.unseen = point.triangles;
   }
-  return costs;
+  return curve;
 }
 
-LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
-                     const std::function<void(std::uint32_t)>& progress) {
-  JAL_CHECK(mesh.corners.size() >= 3U);
-  LevelChain chain;
-  chain.levels.push_back({mesh, {}});
+namespace {
+
+std::string tooFew(std::uint32_t triangles) {
+  return fmt::format("the next level would have fewer than {} triangles", triangles);
+}
+
+/// A level between the last one and a number of triangles that exceeds the limit, if that is a large step: the chain
+/// would else end far from what the limit allows. @return  nullopt if none of those that were tried keeps it
+std::optional<ChainLevel> levelBetween(const WedgeMesh& mesh, const ChainOptions& options, const DeviationMeter& meter,
+                                       const ChainLevel& last, std::uint32_t target) {
+  constexpr double kLeastStep = 0.6;
+  constexpr int kMostAttempts = 3;
+  const double limit = percentLength(options, boundsOf(mesh.positions).diagonal()) * options.untilError;
+  const double most = kLeastStep * last.mesh.triangles();
+  double triangles = target;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    triangles = std::sqrt(triangles * last.mesh.triangles());
+    if (triangles > most) break;
+    LevelMaker maker(mesh, options);
+    ChainLevel level =
+        measuredLevel(maker, meter, maker.make(static_cast<std::uint32_t>(std::lround(triangles)), false), last);
+    const std::uint32_t made = level.mesh.triangles();
+    if (made >= kMinLevelTriangles && made <= most && level.errorMax <= limit) return level;
+  }
+  return std::nullopt;
+}
+
+/// Levels of given numbers of triangles. @param chain  with LOD 0   @return  why there are no more levels
+std::string addLevelsByCount(const WedgeMesh& mesh, const ChainOptions& options, const LevelProgress& progress,
+                             std::vector<ChainLevel>& levels) {
   const std::uint32_t finest = mesh.triangles();
   const double diagonal = boundsOf(mesh.positions).diagonal();
   std::unique_ptr<LevelMaker> maker;
   std::unique_ptr<DeviationMeter> meter;
-  const auto stop = [&](std::string reason) {
-    chain.stopReason = std::move(reason);
-    return std::move(chain);
-  };
   for (;;) {
-    const ChainLevel& last = chain.levels.back();
-    const std::size_t k = chain.levels.size();
-    const std::uint32_t target = targetOf(options, finest, k);
-    if (target == 0 && k >= levelsWanted(options)) return stop("all levels made");
-    if (options.untilTriangles && target < *options.untilTriangles)
-      return stop(fmt::format("the next level would have fewer than {} triangles", *options.untilTriangles));
+    const ChainLevel& last = levels.back();
+    const std::size_t k = levels.size();
+    std::uint32_t target = targetOf(options, finest, k);
+    if (target == 0 && k >= levelsWanted(options)) return "all levels made";
+    if (options.untilTriangles && target < *options.untilTriangles) return tooFew(*options.untilTriangles);
+    // A step that leads too far down ends at the smallest level, if that is a step worth making.
+    if (target < kMinLevelTriangles && last.mesh.triangles() >= 2 * kMinLevelTriangles) target = kMinLevelTriangles;
     if (target < kMinLevelTriangles || target >= last.mesh.triangles())
-      return stop(fmt::format("the next level would have {} triangles", target));
+      return fmt::format("the next level would have {} triangles", target);
     if (!maker) {
       maker = std::make_unique<LevelMaker>(mesh, options);
       meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options, finest, diagonal));
     }
-    std::vector<std::uint32_t> vertexMap;
     const bool exactly = options.coarsest && k + 1 == options.levels;
-    ChainLevel next{maker->make(target, exactly, vertexMap), {}};
+    ChainLevel next = measuredLevel(*maker, *meter, maker->make(target, exactly), last);
     const std::uint32_t triangles = next.mesh.triangles();
     if (triangles < kMinLevelTriangles)
-      return stop(fmt::format("simplification fell below {} triangles", kMinLevelTriangles));
+      return fmt::format("simplification fell below {} triangles", kMinLevelTriangles);
     if (triangles > last.mesh.triangles() * 0.95 && triangles > target)
-      return stop(fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles));
-    next.removedParts = maker->removedParts();
-    maker->refit(vertexMap, next.mesh);
-    next.deviation = meter->measure(next.mesh, vertexMap);
-    next.errorMax = std::max(next.deviation.twoSided.max, last.errorMax);
-    if (next.errorMax > options.untilLength.value_or(options.untilError * 0.01 * diagonal))
-      return stop(fmt::format("the next level, of {} triangles, would be off by {:.3g} % of the diagonal", triangles,
-                              100.0 * next.errorMax / diagonal));
-    chain.levels.push_back(std::move(next));
-    if (progress) progress(triangles);
+      return fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles);
+    if (next.errorMax > percentLength(options, diagonal) * options.untilError) {
+      std::optional<ChainLevel> between = levelBetween(mesh, options, *meter, last, target);
+      if (between) levels.push_back(std::move(*between));
+      return fmt::format("the next level, of {} triangles, would be off by {:.3g} % of the diagonal", triangles,
+                         100.0 * next.errorMax / diagonal);
+    }
+    levels.push_back(std::move(next));
+    if (progress) progress({k, levelsWanted(options), triangles});
   }
+}
+
+/// Levels of given errors. Parameters as for addLevelsByCount
+std::string addLevelsByError(const WedgeMesh& mesh, const ChainOptions& options, const LevelProgress& progress,
+                             std::vector<ChainLevel>& levels) {
+  const double diagonal = boundsOf(mesh.positions).diagonal();
+  DeviationMeter meter(mesh, meterOptions(options, mesh.triangles(), diagonal));
+  ErrorSearch search(mesh, options, meter);
+  std::string unreached;
+  for (std::size_t i = 0; i < options.errors.size(); ++i) {
+    const double target = percentLength(options, diagonal) * options.errors[i];
+    std::optional<ChainLevel> next = search.next(levels.back(), target - options.errorReserve);
+    if (!next) {
+      unreached += fmt::format("{}{:g} %", unreached.empty() ? "" : ", ", options.errors[i]);
+      continue;
+    }
+    if (options.untilTriangles && next->mesh.triangles() < *options.untilTriangles)
+      return tooFew(*options.untilTriangles);
+    next->target = target;
+    levels.push_back(std::move(*next));
+    if (progress) progress({i + 1, options.errors.size() + 1, levels.back().mesh.triangles()});
+  }
+  return unreached.empty()
+             ? "all levels made"
+             : fmt::format("no level of fewer triangles than the one before has an error of {}", unreached);
+}
+
+}  // namespace
+
+LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options, const LevelProgress& progress) {
+  JAL_CHECK(mesh.corners.size() >= 3U);
+  LevelChain chain;
+  chain.levels.emplace_back().mesh = mesh;
+  chain.stopReason = options.errors.empty() ? addLevelsByCount(mesh, options, progress, chain.levels)
+                                            : addLevelsByError(mesh, options, progress, chain.levels);
+  return chain;
 }
 
 std::vector<float> screenCoverage(const LevelChain& chain, double radius, const ScreenTolerance& tolerance) {

@@ -2,23 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "bake/mesh/wedge_mesh.h"
+#include "bake/simplify/chain_level.h"
 #include "bake/simplify/chain_options.h"
 #include "bake/simplify/collapse.h"
-#include "bake/simplify/deviation.h"
 
 namespace jalousie::bake {
-
-struct ChainLevel {
-  WedgeMesh mesh;
-  Deviation deviation;
-  double errorMax = 0.0;           ///< object-space length: the two-sided maximum up to this level, so it never falls
-  std::uint32_t removedParts = 0;  ///< loose parts of the mesh that the level is without, if they were removed whole
-};
 
 struct LevelChain {
   std::vector<ChainLevel> levels;  ///< LOD 0 first; never empty
@@ -26,18 +18,21 @@ struct LevelChain {
 };
 
 /// Triangles strictly descend, errors never fall, every level has at least kMinLevelTriangles or is LOD 0.
-/// @param progress  called with the triangles of each level once it is done; may be empty
+/// With ChainOptions::errors, no level's errorMax exceeds its target.
+/// @param progress  called once a level is done; may be empty
 /// @pre mesh has at least one triangle (checked)
-LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options,
-                     const std::function<void(std::uint32_t)>& progress = {});
+LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options, const LevelProgress& progress = {});
 
 /// Wanted triangles of level k of a mesh or scene with this many; 0 if the options ask for no such level.
 std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::size_t k);
 
-/// Runs the collapse of a chain to its end. @return  as EdgeCollapser::costs, but the costs are squared distances in
-/// object space: those of the collapse over the mean area of a triangle that is left
-/// @pre the preset is not kDraft (checked)
-std::vector<CostPoint> costCurve(const WedgeMesh& mesh, const ChainOptions& options);
+/// What the collapse of a mesh costs.
+struct CostCurve {
+  std::vector<CostPoint> points;  ///< as EdgeCollapser::costs: squared distances times areas, but in object space
+  std::uint32_t unseen = 0;       ///< triangles after all collapses of at most a thousandth of the diagonal, on average
+};
+/// Runs the collapse of a chain to its end. @pre the preset is not kDraft (checked)
+CostCurve costCurve(const WedgeMesh& mesh, const ChainOptions& options);
 
 /// MSFT_screencoverage: for each level the share of the screen's area below which the next level may be shown.
 /// A sphere of radius r that is D pixels wide on screen shows an object-space error e as e D / 2r pixels. The next

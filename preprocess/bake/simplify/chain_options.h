@@ -25,8 +25,10 @@ struct ChainOptions {
   std::vector<double> ratios;                   ///< triangles of LOD 1, 2, ... over those of LOD 0; replaces ratio
   std::vector<std::uint32_t> targets;           ///< triangles of LOD 1, 2, ..., descending; replaces ratios
   std::optional<std::uint32_t> coarsest;        ///< triangles of the last level; replaces ratio
-  double untilError = 25.0;                     ///< no level with a larger maximum, % of the diagonal
-  std::optional<double> untilLength;            ///< object-space length that replaces untilError
+  std::vector<double> errors;                   ///< of LOD 1, 2, ..., % of the diagonal, ascending; replaces the above
+  double errorReserve = 0.0;                    ///< object-space length by which levels stay below these errors
+  double untilError = 25.0;                     ///< no level with a larger maximum, % of the diagonal; not with errors
+  std::optional<double> reference;              ///< object-space length that replaces the diagonal of these errors
   std::optional<std::uint32_t> untilTriangles;  ///< no level with fewer triangles
   CollapseOptions collapse;
   std::optional<std::uint32_t> samples;  ///< points per surface for the measures; the preset decides otherwise

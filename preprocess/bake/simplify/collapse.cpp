@@ -13,6 +13,7 @@
 #include "bake/simplify/collapse_error.h"
 #include "bake/simplify/collapse_queue.h"
 #include "bake/simplify/collapse_topology.h"
+#include "core/check.h"
 
 namespace jalousie::bake {
 namespace {
@@ -32,14 +33,13 @@ std::vector<glm::dvec3> unitFrame(const WedgeMesh& mesh) {
 
 }  // namespace
 
-struct EdgeCollapser::State {
-  State(const WedgeMesh& mesh, const CollapseOptions& options)
+/// What a collapse knows of the mesh. Copies continue independently.
+struct EdgeCollapser::Data {
+  Data(const WedgeMesh& mesh, const EdgeTable& edges, const CollapseOptions& options)
       : source(mesh),
         positions(unitFrame(mesh)),
-        edges(findEdges(mesh)),
         error(mesh, edges, options, positions),
         topology(vertexIndices(mesh), mesh.corners, mesh.positions.size()),
-        checks(source, positions, error, topology),
         parts(findLooseParts(mesh)),
         parent(mesh.positions.size()),
         placeOf(mesh.positions.size()),
@@ -63,10 +63,50 @@ struct EdgeCollapser::State {
         locked[v] = options.lockBorder ? 1 : 0;
       }
     }
+    for (std::size_t v = 0; v < options.lockedVertices.size(); ++v) {
+      if (options.lockedVertices[v] == 0) continue;
+      locked[v] = 1;
+      heldParts.resize(parts.parts.size(), 0);
+      heldParts[classes.partOfVertex[v]] = 1;
+    }
+    keptParts = heldParts;
+  }
+
+  const WedgeMesh& source;
+  std::vector<glm::dvec3> positions;  ///< unit frame
+  CollapseError error;
+  CollapseTopology topology;
+  LooseParts parts;
+  PartClasses classes;
+  std::vector<std::uint32_t> aliveOfPart;  ///< faces
+  std::vector<std::uint32_t> parent;       ///< vertex it was merged into
+  std::vector<std::uint32_t> placeOf;      ///< vertex of the source whose position it has bit for bit, or kNone
+  std::vector<std::uint32_t> version;      ///< collapses that went into it
+  std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
+  std::vector<std::uint8_t> onBorder, locked;
+  std::vector<std::uint32_t> seen, neighbours;
+  std::uint32_t generation = 0;
+  std::uint32_t removedParts = 0;
+  std::vector<CostPoint> costs;
+  std::vector<std::uint8_t> heldParts;  ///< with locked vertices; empty: none
+  std::vector<std::uint8_t> keptParts;  ///< those and the ones of keepParts
+  bool relaxed = false;                 ///< collapses may change the topology
+  CollapseQueue queue;
+  std::vector<float> values;
+  glm::dvec3 center{0.0};
+  double scale = 1.0;
+};
+
+struct EdgeCollapser::State : Data {
+  State(const WedgeMesh& mesh, const EdgeTable& edges, const CollapseOptions& options) : Data(mesh, edges, options) {
     for (std::uint32_t v = 0; v < positions.size(); ++v)
       noteWedges(v);
-    fillQueue();
+    fillQueue(edges);
   }
+  /// The checks refer to the data of the copy.
+  State(const State& other) : Data(other) {}
+  State& operator=(const State&) = delete;
+  ~State() = default;
 
   /// Remembers the wedge of a vertex that has just one.
   void noteWedges(std::uint32_t v) {
@@ -79,7 +119,7 @@ struct EdgeCollapser::State {
     singleWedge[v] = several ? kNone : wedge;
   }
 
-  void fillQueue() {
+  void fillQueue(const EdgeTable& edges) {
     for (const MeshEdge& edge : edges.edges)
       if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
     for (std::uint32_t p = 0; p < parts.parts.size(); ++p)
@@ -172,10 +212,14 @@ struct EdgeCollapser::State {
     return true;
   }
 
-  /// Whether the collapse would leave nothing of a loose part. Parts go as a whole, at their own cost.
+  /// Whether the collapse would leave nothing of a loose part, which goes as a whole, at its own cost, or too little of
+  /// the mesh.
   bool endsPart(std::uint32_t u, std::uint32_t v) {
+    constexpr std::uint32_t kFew = 16;
     const std::uint32_t alive = aliveOfPart[classes.partOfVertex[u]];
-    return alive <= 16 && topology.sharedFaces(u, v) == alive;
+    if (alive <= kFew && topology.sharedFaces(u, v) == alive) return true;
+    return topology.faces() < kMinLevelTriangles + kFew &&
+           topology.faces() < kMinLevelTriangles + topology.sharedFaces(u, v);
   }
 
   void apply(std::uint32_t u, std::uint32_t v, const glm::dvec3& p, const WedgeMerge& merge) {
@@ -224,6 +268,7 @@ struct EdgeCollapser::State {
   /// Removes a loose part unless fewer than `least` triangles would remain.
   Outcome removePart(std::uint32_t p, std::uint32_t least) {
     const LoosePart& part = parts.parts[p];
+    if (!keptParts.empty() && keptParts[p] != 0) return Outcome::kIllegal;
     const auto facesOf = std::span(parts.faces).subspan(part.firstFace, part.faceCount);
     std::uint32_t alive = 0;
     for (const std::uint32_t face : facesOf)
@@ -281,37 +326,25 @@ struct EdgeCollapser::State {
       queue.push(candidate);
   }
 
-  const WedgeMesh& source;
-  std::vector<glm::dvec3> positions;  ///< unit frame
-  EdgeTable edges;
-  CollapseError error;
-  CollapseTopology topology;
-  CollapseChecks checks;
-  LooseParts parts;
-  PartClasses classes;
-  std::vector<std::uint32_t> aliveOfPart;  ///< faces
-  std::vector<std::uint32_t> parent;       ///< vertex it was merged into
-  std::vector<std::uint32_t> placeOf;      ///< vertex of the source whose position it has bit for bit, or kNone
-  std::vector<std::uint32_t> version;      ///< collapses that went into it
-  std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
-  std::vector<std::uint8_t> onBorder, locked;
-  std::vector<std::uint32_t> seen, neighbours;
-  std::uint32_t generation = 0;
-  std::uint32_t removedParts = 0;
-  std::vector<CostPoint> costs;
-  bool relaxed = false;  ///< collapses may change the topology
-  CollapseQueue queue;
-  std::vector<float> values;
-  glm::dvec3 center{0.0};
-  double scale = 1.0;
+  CollapseChecks checks{source, positions, error, topology};
 };
 
 EdgeCollapser::EdgeCollapser(const WedgeMesh& mesh, const CollapseOptions& options)
-    : state_(std::make_unique<State>(mesh, options)) {}
+    : state_(std::make_unique<State>(mesh, findEdges(mesh), options)) {}
+EdgeCollapser::EdgeCollapser(const EdgeCollapser& other) : state_(std::make_unique<State>(*other.state_)) {}
 EdgeCollapser::~EdgeCollapser() = default;
 
 void EdgeCollapser::collapseTo(std::uint32_t target) {
   state_->run(std::max(target, kMinLevelTriangles));
+}
+
+void EdgeCollapser::keepParts(std::span<const std::uint8_t> keep) {
+  JAL_CHECK((keep.empty() || keep.size() == state_->parts.parts.size()));
+  std::vector<std::uint8_t>& kept = state_->keptParts;
+  kept = state_->heldParts;
+  kept.resize(std::max(kept.size(), keep.size()), 0);
+  for (std::size_t p = 0; p < keep.size(); ++p)
+    kept[p] = kept[p] | keep[p];
 }
 
 std::uint32_t EdgeCollapser::triangles() const {

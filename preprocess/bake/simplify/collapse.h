@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "bake/mesh/wedge_mesh.h"
@@ -28,7 +29,8 @@ class EdgeCollapser {
   /// Keeps a reference to the mesh.
   EdgeCollapser(const WedgeMesh& mesh, const CollapseOptions& options);
   ~EdgeCollapser();
-  EdgeCollapser(const EdgeCollapser&) = delete;
+  /// A copy continues where the other one is.
+  EdgeCollapser(const EdgeCollapser& other);
   EdgeCollapser& operator=(const EdgeCollapser&) = delete;
 
   /// Collapses until at most `target` triangles are left or no collapse is legal. A loose part that is smaller than the
@@ -36,6 +38,8 @@ class EdgeCollapser {
   /// the order of removals are those of part_classes.h. If nothing legal is left above the target, edges are collapsed
   /// and parts removed without regard to the topology and to a count somewhat below the target.
   void collapseTo(std::uint32_t target);
+  /// From now on, these loose parts are not removed as a whole. @param keep  for each part 1 or 0; empty: none
+  void keepParts(std::span<const std::uint8_t> keep);
   std::uint32_t triangles() const;
   /// The current mesh.
   WedgeMesh mesh() const;
@@ -52,6 +56,7 @@ class EdgeCollapser {
   std::uint32_t removedParts() const;
 
  private:
+  struct Data;
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace jalousie::bake {
 
@@ -15,7 +16,8 @@ struct CollapseOptions {
   std::optional<double> normalWeight;  ///< 1 if absent, 0 in the preset `fast`
   double uvWeight = 1.0;
   double colorWeight = 1.0;
-  bool lockBorder = false;  ///< vertices of open borders keep position and attributes
+  bool lockBorder = false;                   ///< vertices of open borders keep position and attributes
+  std::vector<std::uint8_t> lockedVertices;  ///< for each vertex 1 if it keeps position and attributes; empty: none
 };
 
 }  // namespace jalousie::bake

@@ -26,6 +26,14 @@ struct Candidate {
 /// The buckets of one exponent are made when one of them is needed: a small mesh uses few.
 class CollapseQueue {
  public:
+  CollapseQueue() = default;
+  CollapseQueue(const CollapseQueue& other) : lowest_(other.lowest_) {
+    for (std::size_t i = 0; i < octaves_.size(); ++i)
+      if (other.octaves_[i]) octaves_[i] = std::make_unique<Octave>(*other.octaves_[i]);
+  }
+  CollapseQueue& operator=(const CollapseQueue&) = delete;
+  ~CollapseQueue() = default;
+
   /// NaN and negative costs count as zero, infinite costs as the largest number.
   void push(Candidate candidate) {
     if (!(candidate.cost > 0.0F)) candidate.cost = 0.0F;

@@ -35,6 +35,8 @@ struct MeterOptions {
 class DeviationMeter {
  public:
   explicit DeviationMeter(const WedgeMesh& original, const MeterOptions& options = {});
+  /// Replaces MeterOptions::giveUp for what is measured from now on.
+  void giveUpAbove(double length) { options_.giveUp = length; }
   /// The result does not depend on the slices.
   /// @param vertexMap  for each vertex of the original the one of the level it became, or ~0; may be empty. It only
   /// starts searches. @param level  its sourceWedge refers to the original, for charts

@@ -284,6 +284,8 @@ void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertex
     for (const MeshEdge& edge : findEdges(level).edges)
       if (edge.kind == EdgeKind::kBorder) fixed[edge.a] = fixed[edge.b] = 1;
   }
+  for (std::size_t v = 0; v < options.locked.size(); ++v)
+    if (options.locked[v] != 0 && vertexMap[v] != ~0U) fixed[vertexMap[v]] = 1;
   const std::size_t wanted = std::size_t{options.samplesPerTriangle} * level.triangles();
   const auto most = static_cast<std::size_t>(options.mostSamples * original.triangles());
   const std::size_t least = std::min(kLeastSamples, kLeastPerTriangle * original.triangles());

@@ -15,6 +15,7 @@ struct RefitOptions {
   double mostSamples = 2.0;                     ///< per triangle of the original
   bool normals = true;                          ///< fit shading normals too
   bool lockBorder = false;                      ///< vertices of open borders keep position and normals
+  std::span<const std::uint8_t> locked;         ///< for each vertex of the original 1 if it keeps them; empty: none
   std::span<const std::uint32_t> partOfVertex;  ///< loose part of each vertex of the original; empty: one part
   SliceRunner slices = runInOneSlice;
 };

@@ -2,6 +2,8 @@
 #include "bake/simplify/scene_budget.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "bake/simplify/chain.h"
@@ -9,54 +11,75 @@
 namespace jalousie::bake {
 namespace {
 
-/// A step of one mesh's curve.
-struct Step {
-  double cost;
-  std::uint32_t mesh;
-  std::uint32_t triangles;  ///< of the mesh after it
-};
-
-std::vector<Step> mergedSteps(std::span<const BudgetMesh> meshes) {
-  std::vector<Step> steps;
-  for (std::uint32_t m = 0; m < meshes.size(); ++m)
-    for (const CostPoint& point : meshes[m].costs)
-      steps.push_back({point.cost, m, point.triangles});
-  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) {
-    if (a.cost != b.cost) return a.cost < b.cost;
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.triangles > b.triangles;
-  });
-  return steps;
-}
+/// The most triangles of a step, over those of the level before: two levels that hardly differ are one too many.
+constexpr double kMostStep = 0.8;
 
 std::size_t levelsOf(const ChainOptions& options) {
   return options.ratios.empty() ? options.levels : options.ratios.size() + 1;
+}
+
+/// All costs at which a mesh changes, ascending.
+std::vector<double> allCosts(std::span<const BudgetMesh> meshes) {
+  std::vector<double> costs;
+  for (const BudgetMesh& mesh : meshes)
+    for (const CostPoint& point : mesh.costs)
+      costs.push_back(point.cost);
+  std::sort(costs.begin(), costs.end());
+  costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
+  return costs;
+}
+
+/// Triangles of a mesh after all its collapses up to a cost.
+std::uint32_t trianglesAt(const BudgetMesh& mesh, double cost) {
+  const auto end = std::upper_bound(mesh.costs.begin(), mesh.costs.end(), cost,
+                                    [](double value, const CostPoint& point) { return value < point.cost; });
+  return end == mesh.costs.begin() ? mesh.triangles : std::prev(end)->triangles;
+}
+
+/// One level of all meshes.
+struct Cut {
+  std::vector<std::uint32_t> triangles;  ///< by mesh
+  std::uint64_t total = 0;               ///< over all nodes
+};
+
+/// @param last  the level before   @param step  triangles of this level over those of the level before
+Cut cutAt(std::span<const BudgetMesh> meshes, double cost, const Cut& last, double step) {
+  Cut cut;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    // A program that chooses a level for each object needs levels between a fine and a coarse one: no mesh takes more
+    // than two steps at once.
+    const auto floor = static_cast<std::uint32_t>(std::ceil(step * step * last.triangles[m]));
+    const std::uint32_t least = std::max(std::min(floor, meshes[m].unseen), kMinLevelTriangles);
+    const std::uint32_t wanted = std::max(trianglesAt(meshes[m], cost), least);
+    cut.triangles.push_back(wanted > kMostStep * last.triangles[m] ? last.triangles[m] : wanted);
+    cut.total += meshes[m].nodes * cut.triangles.back();
+  }
+  return cut;
 }
 
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> shareBudget(std::span<const BudgetMesh> meshes, const ChainOptions& options) {
   std::vector<std::vector<std::uint32_t>> targets(meshes.size());
-  std::vector<std::uint32_t> now;
-  std::uint64_t total = 0;
+  const std::vector<double> costs = allCosts(meshes);
+  Cut last;
   for (const BudgetMesh& mesh : meshes) {
-    now.push_back(mesh.triangles);
-    total += mesh.nodes * mesh.triangles;
+    last.triangles.push_back(mesh.triangles);
+    last.total += mesh.nodes * mesh.triangles;
   }
-  const auto finest = static_cast<std::uint32_t>(std::min<std::uint64_t>(total, std::numeric_limits<int>::max()));
-  const std::vector<Step> steps = mergedSteps(meshes);
-  std::size_t next = 0;
-  for (std::size_t k = 1; k < levelsOf(options); ++k) {
+  const auto finest = static_cast<std::uint32_t>(std::min<std::uint64_t>(last.total, std::numeric_limits<int>::max()));
+  std::uint32_t before = finest;
+  for (std::size_t k = 1; k < levelsOf(options) && !costs.empty(); ++k) {
     const std::uint32_t wanted = targetOf(options, finest, k);
-    while (next < steps.size() && total > wanted) {
-      const Step& step = steps[next++];
-      total -= meshes[step.mesh].nodes * (now[step.mesh] - std::min(now[step.mesh], step.triangles));
-      now[step.mesh] = std::min(now[step.mesh], step.triangles);
-    }
-    for (std::size_t m = 0; m < meshes.size(); ++m) {
-      const std::uint32_t last = targets[m].empty() ? meshes[m].triangles : targets[m].back();
-      const std::uint32_t target = std::max(now[m], kMinLevelTriangles);
-      if (target < last) targets[m].push_back(target);
-    }
+    const double step = static_cast<double>(wanted) / std::max(before, 1U);
+    const auto enough = std::partition_point(costs.begin(), std::prev(costs.end()), [&](double cost) {
+      return cutAt(meshes, cost, last, step).total > wanted;
+    });
+    const Cut cut = cutAt(meshes, *enough, last, step);
+    for (std::size_t m = 0; m < meshes.size(); ++m)
+      if (cut.triangles[m] < last.triangles[m]) targets[m].push_back(cut.triangles[m]);
+    last = cut;
+    before = wanted;
   }
   return targets;
 }

@@ -14,13 +14,17 @@ namespace jalousie::bake {
 struct BudgetMesh {
   std::uint32_t triangles = 0;   ///< of LOD 0
   std::uint64_t nodes = 1;       ///< that show it
-  std::vector<CostPoint> costs;  ///< squared distances in world units; ascending
+  std::vector<CostPoint> costs;  ///< squared distances times areas, world units; ascending
   double diagonal = 0.0;         ///< of its box, world units
+  std::uint32_t unseen = ~0U;    ///< see CostCurve::unseen
 };
 
 /// For each mesh its targets, as ChainOptions::targets: at level k, all collapses up to one common cost are made in
-/// every mesh, so that the scene has at most as many triangles as the options ask for. Levels that change nothing in a
-/// mesh are left out of its targets; a mesh that never changes has none.
+/// every mesh, so that the scene has at most as many triangles as the options ask for. That is the order in which one
+/// queue over all meshes would make them. But no mesh takes more than two steps at once, unless nobody sees the
+/// difference: where the scene has a share r of the triangles of the level before, a mesh keeps at least r^2. A level
+/// that would have more than four fifths of the triangles of the one before is left out of the targets of the mesh. A
+/// mesh that never changes has none.
 std::vector<std::vector<std::uint32_t>> shareBudget(std::span<const BudgetMesh> meshes, const ChainOptions& options);
 
 }  // namespace jalousie::bake

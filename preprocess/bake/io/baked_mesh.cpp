@@ -1,0 +1,100 @@
+// Simplifies, measures, divides into cells and writes.
+#include "bake/io/baked_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "asset/gltf_quantize.h"
+#include "asset/lod_chain.h"
+#include "bake/io/attribute_range.h"
+#include "bake/io/gltf_mesh.h"
+#include "bake/io/level_cells.h"
+#include "bake/io/lod_measures.h"
+#include "bake/io/touching_meshes.h"
+#include "bake/mesh/bounds.h"
+#include "bake/mesh/wedges.h"
+
+namespace jalousie::bake {
+namespace {
+
+asset::LodInfo lodInfoOf(const LevelChain& chain, std::size_t k, double diagonal, float coverage) {
+  const ChainLevel& level = chain.levels[k];
+  asset::LodMeasures measures = lodMeasures(level.deviation);
+  measures.diagonal = diagonal;
+  measures.coverage = coverage;
+  measures.target = level.target;
+  if (k + 1 == chain.levels.size()) measures.stop = chain.stopReason;
+  return {static_cast<std::uint32_t>(k), level.mesh.triangles(), 0, level.errorMax, measures};
+}
+
+/// Appends one level as a mesh. @param info  gets the number of vertices   @return  its index
+int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& level,
+               const std::optional<asset::CellTree>& tree, asset::LodInfo& info) {
+  const WrittenMesh written = appendLevelMesh(model, source, level, orderByCells(level, tree));
+  tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
+  if (info.lod > 0) target.name = fmt::format("{}_lod{}", source.name, info.lod);
+  target.extras = info.lod == 0 ? source.extras : tinygltf::Value();
+  if (info.lod == 0) target.extensions = source.extensions;
+  info.vertices = written.vertices;
+  asset::setLodInfo(target, info);
+  if (tree) asset::setLodCells(target, written.cells);
+  return written.mesh;
+}
+
+CombinedMesh combinedLevel(const BakedMesh& baked, std::size_t k) {
+  if (k == 0 && baked.prepared.finest) return combineWedges(makeWedges(*baked.prepared.finest), *baked.prepared.finest);
+  CombinedMesh level = combineWedges(baked.chain.levels[k].mesh, baked.prepared.mesh);
+  if (k > 0) clampToRange(level, baked.prepared.mesh);
+  return level;
+}
+
+/// The rounding of a mesh and its levels, which lie within the largest error of the mesh.
+double quantizeReserve(const WedgeMesh& mesh, const ChainOptions& chain, double diagonal) {
+  const glm::vec3 extent = boundsOf(mesh.positions).extent();
+  const double beyond = 0.01 * chain.errors.back() * chain.reference.value_or(diagonal);
+  return asset::quantizeRounding(double{std::max({extent.x, extent.y, extent.z})} + 2.0 * beyond);
+}
+
+}  // namespace
+
+BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUse& use, const BakeOptions& options,
+                   const LevelProgress& progress) {
+  BakedMesh baked;
+  baked.prepared = prepareMesh(model, index, use, options);
+  const std::optional<WedgeMesh>& wedges = baked.prepared.wedges;
+  if (!wedges) return baked;
+  MeshReport& report = baked.prepared.report;
+  ChainOptions chain = options.chain;
+  chain.collapse.lockedVertices = verticesAt(*wedges, options.locked);
+  if (options.quantized && !chain.errors.empty()) chain.errorReserve = quantizeReserve(*wedges, chain, report.diagonal);
+  baked.chain = makeChain(*wedges, chain, progress);
+  report.stopReason = baked.chain.stopReason;
+  baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
+  for (const ChainLevel& level : baked.chain.levels)
+    report.removedParts.push_back(level.removedParts);
+  baked.tree = divideIntoCells(baked.prepared.mesh, options.cells);
+  report.cells = baked.tree ? baked.tree->cellCount() : 0;
+  baked.prepared.wedges.reset();  // the chain has a copy
+  return baked;
+}
+
+std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, BakedMesh& baked) {
+  const tinygltf::Mesh source = model.meshes[index];
+  std::vector<int> levelMeshes;
+  for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
+    levelMeshes.push_back(
+        writeLevel(model, source, combinedLevel(baked, k), baked.tree, baked.prepared.report.levels[k]));
+  // LOD 0 takes the index of the original mesh, so references to it stay valid.
+  model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
+  model.meshes.erase(model.meshes.begin() + levelMeshes[0]);
+  for (std::size_t k = 1; k < levelMeshes.size(); ++k)
+    --levelMeshes[k];
+  levelMeshes[0] = static_cast<int>(index);
+  return levelMeshes;
+}
+
+}  // namespace jalousie::bake

@@ -1,0 +1,106 @@
+// Locks vertices that meshes share, runs every collapse to its end, and cuts all of them at common costs.
+#include "bake/io/share_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bake/io/node_scales.h"
+#include "bake/io/touching_meshes.h"
+#include "bake/mesh/mesh_edges.h"
+#include "bake/simplify/chain.h"
+#include "bake/simplify/scene_budget.h"
+
+namespace jalousie::bake {
+namespace {
+
+/// What a mesh offers, and the positions of its open borders.
+struct Offer {
+  BudgetMesh budget;
+  std::vector<glm::vec3> border;
+};
+
+/// @param scale  see nodeScales
+Offer offerOf(const tinygltf::Model& model, std::size_t index, const MeshUse& use, const BakeOptions& options,
+              double scale) {
+  Offer offer;
+  BudgetMesh& budget = offer.budget;
+  budget.nodes = use.users[index].size();
+  const PreparedMesh prepared = prepareMesh(model, index, use, options);
+  if (!prepared.wedges) return offer;
+  const WedgeMesh& wedges = *prepared.wedges;
+  offer.border = borderPositions(wedges, findEdges(wedges));
+  budget.triangles = wedges.triangles();
+  budget.diagonal = scale * prepared.report.diagonal;
+  if (!options.chain.errors.empty()) return offer;  // each mesh reaches them by itself
+  ChainOptions chain = options.chain;
+  chain.collapse.lockedVertices = verticesAt(wedges, options.locked);
+  CostCurve curve = costCurve(wedges, chain);
+  budget.unseen = curve.unseen;
+  budget.costs = std::move(curve.points);
+  for (CostPoint& point : budget.costs)
+    point.cost *= scale * scale * scale * scale;
+  return offer;
+}
+
+}  // namespace
+
+bool sharesBudget(const BakeOptions& options, std::span<const std::size_t> used) {
+  return options.sceneBudget && used.size() > 1 && options.chain.preset != Preset::kDraft;
+}
+
+SceneShare shareScene(const tinygltf::Model& model, std::span<const std::size_t> used, const MeshUse& use,
+                      const BakeOptions& options) {
+  const std::vector<glm::dmat4> transforms = worldTransforms(model);
+  const std::vector<double> scales = nodeScales(model);
+  std::vector<double> scaleOf(used.size(), 0.0);
+  std::vector<MeshBorder> borders(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    for (const int node : use.users[used[i]]) {
+      scaleOf[i] = std::max(scaleOf[i], scales[static_cast<std::size_t>(node)]);
+      borders[i].transforms.push_back(transforms[static_cast<std::size_t>(node)]);
+    }
+  }
+  std::vector<BudgetMesh> budgets(used.size());
+  const auto ask = [&](std::size_t i, const BakeOptions& own) {
+    Offer offer = named(model, used[i], [&] { return offerOf(model, used[i], use, own, scaleOf[i]); });
+    budgets[i] = std::move(offer.budget);
+    borders[i].places = std::move(offer.border);
+  };
+  options.tasks(used.size(), [&](std::size_t i) { ask(i, options); });
+  std::vector<std::vector<glm::vec3>> touching = touchingPlaces(borders);
+  options.tasks(used.size(), [&](std::size_t i) {  // again, with vertices that stay
+    if (touching[i].empty()) return;
+    BakeOptions own = options;
+    own.locked = touching[i];
+    ask(i, own);
+  });
+  std::vector<std::vector<std::uint32_t>> targets(used.size());
+  if (options.chain.errors.empty()) targets = shareBudget(budgets, options.chain);
+  double largest = 0.0;
+  for (const BudgetMesh& budget : budgets)
+    largest = std::max(largest, budget.diagonal);
+  const std::size_t meshes = model.meshes.size();
+  SceneShare share{std::vector<std::vector<std::uint32_t>>(meshes), std::vector<double>(meshes, 0.0),
+                   std::vector<std::vector<glm::vec3>>(meshes)};
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    share.touching[used[i]] = std::move(touching[i]);
+    share.targets[used[i]] = std::move(targets[i]);
+    // Small meshes may err by more than their own size allows: what counts is the largest mesh.
+    share.reference[used[i]] = scaleOf[i] > 0.0 ? largest / scaleOf[i] : 0.0;
+  }
+  return share;
+}
+
+BakeOptions optionsInScene(const BakeOptions& options, const SceneShare& share, std::size_t mesh) {
+  BakeOptions own = options;
+  own.locked = share.touching[mesh];
+  own.chain.reference = share.reference[mesh];
+  if (!own.chain.errors.empty()) return own;
+  own.chain.targets = share.targets[mesh];
+  own.chain.ratios.clear();
+  own.chain.coarsest.reset();
+  if (own.chain.targets.empty()) own.chain.levels = 1;
+  return own;
+}
+
+}  // namespace jalousie::bake
