@@ -176,6 +176,7 @@ std::vector<std::byte> encodeGlb(Model model, const EncodeOptions& options) try 
     buffers.push_back(std::move(buffer.data));
   json document = documentOf(model, original);
   std::vector<unsigned char> binary = settleViews(document, original, std::move(buffers));
+  original = nullptr;  // large ones must not be in memory twice
   document.erase("buffers");
   if (!binary.empty()) document["buffers"] = json::array({json::object({{"byteLength", binary.size()}})});
   if (options.compress) detail::encodeMeshoptViews(document, binary);

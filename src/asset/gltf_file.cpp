@@ -200,10 +200,7 @@ tinygltf::Model parseChecked(std::span<const std::byte> bytes, const Path& path,
   json document = detail::parseDocument(parts.json, limits, path);
   detail::ResourceLoader loader(path, limits, observer);
   detail::Resources resources = takeResources(document, parts, loader, limits, path);
-  std::string text;
-  if (retain == Retain::kDocument) text = document.dump();
-  tinygltf::Model model = detail::modelOf(std::move(document), resources, path);
-  model.extensions_json_string = std::move(text);
+  tinygltf::Model model = detail::modelOf(std::move(document), resources, path, retain == Retain::kDocument);
   clearPlaceholders(model);
   fillImages(model, resources, loader, limits);
   detail::validateModel(model, limits);

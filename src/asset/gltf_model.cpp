@@ -98,10 +98,12 @@ void settleDefaults(Model& model) {
 
 }  // namespace
 
-Model modelOf(json document, Resources& resources, const std::filesystem::path& file) {
+Model modelOf(json document, Resources& resources, const std::filesystem::path& file, bool keepDocument) {
+  std::string kept;
+  if (keepDocument && document.contains("animations")) kept = document.dump();
   // tinygltf leaves out channels without a node, such as those of KHR_animation_pointer.
   forEachTarget(document, [](json& target) { target.emplace("node", -1); });
-  const std::string text = document.dump();
+  std::string text = document.dump();
   document = nullptr;  // large ones must not be in memory twice
   if (text.size() > std::numeric_limits<unsigned int>::max())
     throw Error(ErrorCode::kLimit, "the JSON exceeds 4 GiB", file);
@@ -116,6 +118,7 @@ Model modelOf(json document, Resources& resources, const std::filesystem::path& 
     errors = errors.substr(0, errors.find('\n'));
     throw Error(ErrorCode::kMalformed, errors.empty() ? "no valid glTF" : errors, file);
   }
+  if (keepDocument) model.extensions_json_string = kept.empty() ? std::move(text) : std::move(kept);
   return model;
 }
 
@@ -143,7 +146,7 @@ json understoodJson(json document) {
     none.buffers.assign(buffers->size(), std::vector<unsigned char>(1, 0));
   }
   if (const auto images = document.find("images"); images != document.end()) none.images.resize(images->size());
-  Model model = modelOf(std::move(document), none, {});
+  Model model = modelOf(std::move(document), none, {}, false);
   return jsonOf(model);
 }
 

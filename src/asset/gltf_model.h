@@ -16,8 +16,10 @@ struct Resources {
 };
 
 /// The model of a document whose buffers and images have the URIs "buffer/I" and "image/I". A channel without a node
-/// gets the node -1. @param resources  the bytes are moved out. Errors: kMalformed, kLimit.
-tinygltf::Model modelOf(nlohmann::json document, Resources& resources, const std::filesystem::path& file);
+/// gets the node -1. @param resources  the bytes are moved out
+/// @param keepDocument  the model carries the document as it was   Errors: kMalformed, kLimit.
+tinygltf::Model modelOf(nlohmann::json document, Resources& resources, const std::filesystem::path& file,
+                        bool keepDocument);
 
 /// The JSON of a model, with what tinygltf's writer gets wrong put right. Takes its buffers, so that none is encoded,
 /// and its accessors, buffer views, meshes and nodes.

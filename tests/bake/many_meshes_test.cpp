@@ -171,11 +171,12 @@ TEST(ManyMeshes, MeshesThatDifferInOneByteShareNothing) {
   };
   EXPECT_TRUE(changed([](tinygltf::Model& model) { model.meshes[5].primitives[0].material = 0; }));
   EXPECT_TRUE(changed([](tinygltf::Model& model) { model.meshes[5].primitives[0].attributes.erase("NORMAL"); }));
-  for (const char* name : {"POSITION", "NORMAL"})
+  for (const char* name : {"POSITION", "NORMAL"}) {
     EXPECT_TRUE(changed([&](tinygltf::Model& model) {
       const tinygltf::BufferView& view = viewOf(model, model.meshes[5].primitives[0].attributes[name]);
       model.buffers[0].data[view.byteOffset + view.byteLength - 1] ^= 1U;
     })) << name;
+  }
   EXPECT_TRUE(changed([&](tinygltf::Model& model) {
     const tinygltf::BufferView& view = viewOf(model, model.meshes[5].primitives[0].indices);
     std::swap(model.buffers[0].data[view.byteOffset], model.buffers[0].data[view.byteOffset + 2]);

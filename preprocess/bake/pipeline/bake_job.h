@@ -58,7 +58,7 @@ struct JobFailure {
 struct ReadFile {
   std::size_t input = 0;              ///< index of the input it belongs to
   std::string name;                   ///< relative to that input's folder; empty for the input itself
-  std::optional<std::string> sha256;  ///< of its bytes; absent if there was no such file
+  std::optional<std::string> sha256;  ///< of its bytes, empty without a cache; absent if there was no such file
 };
 
 }  // namespace jalousie::bake

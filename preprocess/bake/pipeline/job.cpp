@@ -62,7 +62,8 @@ CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<Rea
   tinygltf::Model model =
       importFiles(job.inputs, settings.bake.limits, notes,
                   [&](std::size_t input, const std::string& name, std::optional<std::span<const std::byte>> bytes) {
-                    read.push_back({input, name, bytes ? std::optional(sha256(*bytes)) : std::nullopt});
+                    const auto hash = [&] { return settings.cache.empty() ? std::string() : sha256(*bytes); };
+                    read.push_back({input, name, bytes ? std::optional(hash()) : std::nullopt});
                   });
   const std::vector<MeshReport> reports =
       bakeDocument(model, settings.bake, [&](std::size_t done, std::size_t total, const std::string& what) {
