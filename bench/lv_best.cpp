@@ -117,6 +117,15 @@ class Choice {
   Choice(const LvView& view, const Reference& reference, const LayerPixels& finest)
       : view_(view), reference_(reference), finest_(finest), errors_(levelErrors(view, finest)) {}
 
+  /// Draws the choices that follow from the errors of objects drawn all at one level.
+  void start() {
+    std::vector<std::vector<std::uint32_t>> choices;
+    for (int i = 0; i < kPrices; ++i)
+      choices.push_back(choose(priceAt(i)));
+    for (const std::vector<std::uint32_t>& levels : choices)
+      if (!measure(levels)) return;
+  }
+
   /// Learns from levels that a rule chose. @param renderer  shows a frame of the scene with all its levels
   void learnFrom(render::FrameRenderer& renderer) {
     const std::vector<gpu::ObjectState> states = renderer.readStates();
@@ -202,6 +211,7 @@ void measureBest(const LvView& view, nlohmann::ordered_json& figures) {
   const LayerPixels finest = drawAll(renderer, stage.camera);
   const std::vector<Sample> uniform = stage.sweep(optionsOf(kUniform, 1.0F), kTaus, kUniform.name);
   Choice choice(view, stage.reference, finest);
+  choice.start();
   std::vector<Sample> price;
   for (const float tau : kTaus) {
     price.push_back(stage.sample(optionsOf(kDefault, tau)));

@@ -88,8 +88,8 @@ void PictureScene::append(const asset::Primitive& primitive, const glm::mat4& wo
     const glm::dvec2 a = uv[1] - uv[0];
     const glm::dvec2 b = uv[2] - uv[0];
     double texels = 0.0;
-    if (material.image) {
-      const ImageRgba8& image = pyramids_[*material.image][0];
+    if (material.baseTexture) {
+      const ImageRgba8& image = pyramids_[material.baseTexture->image][0];
       texels = std::abs(a.x * b.y - a.y * b.x) * image.width * image.height;
     }
     texelsPerArea_.push_back(area > 0.0 ? texels / area : 0.0);
@@ -98,13 +98,13 @@ void PictureScene::append(const asset::Primitive& primitive, const glm::mat4& wo
 
 glm::dvec4 PictureScene::texel(std::uint32_t triangle, const glm::dvec3& barycentric, double samplesPerUnit) const {
   const asset::Material& material = materials_[materialOf_[triangle]];
-  if (!material.image) return glm::dvec4(1.0);
+  if (!material.baseTexture) return glm::dvec4(1.0);
   glm::dvec2 uv(0.0);
   for (int k = 0; k < 3; ++k) {
     const float* values = &mesh_.attributes[std::size_t{mesh_.corners[3 * std::size_t{triangle} + k]} * mesh_.stride];
     uv += barycentric[k] * glm::dvec2(values[kUv], values[kUv + 1]);
   }
-  const std::vector<ImageRgba8>& pyramid = pyramids_[*material.image];
+  const std::vector<ImageRgba8>& pyramid = pyramids_[material.baseTexture->image];
   const double ratio = texelsPerArea_[triangle] / (samplesPerUnit * samplesPerUnit);
   const double level = ratio > 1.0 ? 0.5 * std::log2(ratio) : 0.0;
   const auto most = static_cast<double>(pyramid.size() - 1);

@@ -124,7 +124,7 @@ void addRunOptions(CLI::App& command, CompareOptions& o) {
       ->check(CLI::IsMember({"-"}).description(""))
       ->type_name("-");
   cli::addMemoryOption(command, o.memory);
-  command.add_flag("-q,--quiet", o.quiet, "Print no progress and no summary");
+  command.add_flag("-q,--quiet", o.quiet, "Print no progress, no summary and no warnings");
 }
 
 constexpr const char* kExamples = R"(Examples:

@@ -28,7 +28,7 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--stats-only", options.statsOnly, "Run the culling passes only and draw no picture");
-  command.add_flag("-q,--quiet", options.quiet, "Print no summary");
+  command.add_flag("-q,--quiet", options.quiet, "Print no summary and no warnings");
 }
 
 [[noreturn]] void refuse(const std::string& reason) {
@@ -45,6 +45,8 @@ void checkCamera(const RenderOptions& o) {
 
 void checkCombination(const RenderOptions& o) {
   const FramePolicy& policy = o.frameOptions;
+  if (o.frameOptions.triangleBudget > 0 && !(o.frameOptions.tau > 0.0F))
+    refuse("--triangles needs a --tau above 0: at 0 every error costs more than any triangle");
   const ViewRow& view = rowOf(policy.view);
   const std::string testing = policy::namesWith(cullModeTable(), &CullModeRow::testsOcclusion);
   const bool tests = rowOf(policy.cullMode).testsOcclusion;

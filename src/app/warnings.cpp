@@ -39,13 +39,16 @@ void warnTessellationLimit(const std::filesystem::path& file, const scene::Scene
       oneLine(file.string()), limit, scene.maxPatchTriangles));
 }
 
-void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn) {
+void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn,
+                        std::uint32_t settle) {
+  constexpr std::uint32_t kSettledFrames = 60;
   const std::uint64_t missed = drawn > budget ? drawn - budget : budget - drawn;
   if (budget == 0 || missed <= budget / 20) return;
   printError(fmt::format(
-      "jalousie: warning: {}: {} triangles are drawn instead of {}: the price needs more frames (--settle 60), or "
-      "the levels allow no other number",
-      oneLine(file.string()), drawn, budget));
+      "jalousie: warning: {}: {} triangles are drawn instead of {}: {}", oneLine(file.string()), drawn, budget,
+      settle < kSettledFrames
+          ? "the price needs more frames (--settle 60)"
+          : "the price found no nearer choice of levels; with --calm, or another budget, there may be one"));
 }
 
 }  // namespace jalousie::app

@@ -22,6 +22,8 @@ void warnTessellationLimit(const std::filesystem::path& file, const scene::Scene
                            const gl::Capabilities& capabilities, gpu::uint wanted);
 
 /// Warns if a frame has missed its budget of triangles by more than 5 %. @param budget  0: there is none
-void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn);
+/// @param settle  frames that were rendered before
+void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn,
+                        std::uint32_t settle);
 
 }  // namespace jalousie::app

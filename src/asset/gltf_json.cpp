@@ -114,6 +114,25 @@ void checkNumbers(const json& value, const Path& file) {
   }
 }
 
+bool holdsLargeInteger(const json& value) {
+  if (value.is_number_unsigned()) return value.get<std::uint64_t>() > kMaxIndex;
+  if (!value.is_structured()) return false;
+  return std::any_of(value.begin(), value.end(), holdsLargeInteger);
+}
+
+/// tinygltf cuts integers to 32 bits: the counts in a baked mesh's extras would change without a word.
+void checkOwnExtras(const json& document, const Path& file) {
+  const auto meshes = document.find("meshes");
+  if (meshes == document.end() || !meshes->is_array()) return;
+  for (std::size_t i = 0; i < meshes->size(); ++i) {
+    const json& mesh = (*meshes)[i];
+    if (!mesh.is_object() || !mesh.contains("extras") || !mesh["extras"].is_object()) continue;
+    const auto own = mesh["extras"].find("jalousie");
+    if (own != mesh["extras"].end() && holdsLargeInteger(*own))
+      throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.jalousie holds a number above 2^31 - 1", i), file);
+  }
+}
+
 void checkVersion(const json& document, const Path& file) {
   const auto asset = document.find("asset");
   if (asset == document.end() || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string())
@@ -170,6 +189,7 @@ json parseDocument(std::string_view text, const Limits& limits, const Path& file
   checkExtensions(document, file);
   checkTopLevel(document, file);
   checkNumbers(document, file);
+  checkOwnExtras(document, file);
   checkShapes(document, file);
   return document;
 }

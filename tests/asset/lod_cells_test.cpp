@@ -205,6 +205,7 @@ TEST(LodCells, BrokenTablesAreRefusedWithTheReason) {
   expect(lists + "/1/1", "4", "primitive 1 has no count of triangles for cell 1");
   expect(lists + "/1/1", 1e300, "primitive 1 has no count of triangles for cell 1");
   expect(lists + "/1/2", 2147483647, "primitive 1 has 6 triangles, its cells have 2147483652");
+  expect(lists + "/1/2", 4294967297, "extras.jalousie holds a number above 2^31 - 1");
   expect(lists, CellTriangles{{2, 0, 3, 0}, {1, 4, 1, 0}},
          "node 0: mesh 1 has 3 cells, mesh 0 of the same chain has 4");
   EXPECT_EQ(refusal(lists + "/1/1", 4.0), "") << "other writers may write whole numbers like this";

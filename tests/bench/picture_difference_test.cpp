@@ -75,7 +75,7 @@ TEST(PictureDifference, AMaskMakesHoles) {
   ImageRgba8 image{2, 1, {255, 255, 255, 255, 255, 255, 255, 0}};
   masked.images = SharedVector<ImageRgba8>(std::vector<ImageRgba8>{image});
   for (asset::Material& material : masked.materials) {
-    material.image = 0;
+    material.baseTexture.emplace();
     material.alphaMode = asset::AlphaMode::kMask;
   }
   EXPECT_NEAR(differenceOf(squares({1, 1, 1, 1}), masked).silhouettePercent(), 50.0, 3.0);
