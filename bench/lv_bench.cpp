@@ -32,7 +32,8 @@ constexpr const char* kExamples =
   masking       tolerable error of one object behind holes of 1 to 64 pixels over that behind a window, by every image
                 metric, for occluders of three greys, with the range over all views; 256x256
   masking-cost  triangles and times of frames with --masking over those without
-With fit, best, prove and masking, a VIEW that ends in .glb or .gltf is another scene, and the next views are views of it.
+With fit, best, prove and masking, a VIEW that ends in .glb or .gltf is another scene, and the next views are views of
+it.
 VIEW is a frame of the scene's camera path, or EYE:LOOK as X,Y,Z:X,Y,Z in world units. The baselines are two-phase
 culling and frustum culling with levels by pixel error. The exit code is 1 if a picture or a count is wrong.
 Examples:

@@ -28,7 +28,9 @@ constexpr std::uint32_t kWidth = 640;
 constexpr std::uint32_t kHeight = 360;
 /// Prices of a triangle, squared differences of 8-bit channels: 4^6 to 4^-5.
 constexpr int kPrices = 12;
-double priceAt(int i) { return std::exp2(2 * (6 - i)); }
+double priceAt(int i) {
+  return std::exp2(2 * (6 - i));
+}
 constexpr int kRounds = 4;  // of choosing, at each price
 
 /// What a pixel shows, from all objects at one level.
@@ -152,9 +154,7 @@ class Choice {
   }
 
  private:
-  const gpu::Chain& chainOf(std::size_t object) const {
-    return view_.scene.chains[view_.scene.objects[object].chain];
-  }
+  const gpu::Chain& chainOf(std::size_t object) const { return view_.scene.chains[view_.scene.objects[object].chain]; }
 
   /// The level with the least error + price * triangles for each object; of equal ones, the coarsest.
   std::vector<std::uint32_t> choose(double price) const {
@@ -201,7 +201,9 @@ class Choice {
   std::vector<Sample> samples_;
 };
 
-std::string text(double ratio) { return std::isnan(ratio) ? "-" : fmt::format("{:.2f}", ratio); }
+std::string text(double ratio) {
+  return std::isnan(ratio) ? "-" : fmt::format("{:.2f}", ratio);
+}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Lets the structs of this folder compile as C++20 and as GLSL 4.50. Only uint, int, float, vec2, vec4 and mat4 are used,
-// with explicit reserved words, so that std430, std140 and C++ lay them out alike; a test compares them with the
+// Lets the structs of this folder compile as C++20 and as GLSL 4.50. Only uint, int, float, vec2, vec4 and mat4 are
+// used, with explicit reserved words, so that std430, std140 and C++ lay them out alike; a test compares them with the
 // linked programs.
 #ifndef JALOUSIE_SHARED_TYPES_H
 #define JALOUSIE_SHARED_TYPES_H

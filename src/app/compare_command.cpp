@@ -211,9 +211,9 @@ int compareScene(const CompareOptions& options) {
                                   .butteraugli = options.butteraugli,
                                   .width = options.width,
                                   .height = options.height};
-  const asset::SceneFile file = readWithin(
-      options.scene, options.memory, [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); },
-      {.observer = {}, .seconds = options.time});
+  const asset::SceneFile file = readWithin(options.scene, options.memory,
+                                           [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); },
+                                           {.observer = {}, .seconds = options.time});
   const asset::Camera path = loadPath(options, file);
   compare::Plan plan = makePlan(options, path);
   const scene::SceneData plain = scene::buildScene(file);
@@ -224,7 +224,8 @@ int compareScene(const CompareOptions& options) {
   const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
   if (!options.quiet) warn(options, setup, scenes, context.capabilities());
-  if (!options.quiet && scene::frameCount(path) == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
+  if (!options.quiet && scene::frameCount(path) == 1)
+    warnSingleFrame(options.path.empty() ? options.scene : options.path);
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   folder.create();
   const DeferredInterruptions deferred;

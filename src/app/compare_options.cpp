@@ -115,11 +115,9 @@ void addPictureOptions(CLI::App& command, CompareOptions& o) {
 }
 
 void addRunOptions(CLI::App& command, CompareOptions& o) {
-  auto* const resume = command.add_flag("--resume", o.resume, "Continue the interrupted report in REPORT");
-  command
-      .add_flag_callback(
-          "--force", [&o] { o.replace = Replace::kAnything; }, "Replace the report in REPORT")
-      ->excludes(resume);
+  command.add_flag("--resume", o.resume, "Continue the interrupted report in REPORT");
+  command.add_flag_callback(
+      "--force", [&o] { o.replace = Replace::kAnything; }, "Replace the report in REPORT");
   command.add_option("--json", o.json, "Print summary.json on standard output as well")
       ->check(CLI::IsMember({"-"}).description(""))
       ->type_name("-");
@@ -183,6 +181,7 @@ std::vector<float> parseSweep(const std::string& text) {
 }
 
 void CompareOptions::finish() {
+  if (resume && replace == Replace::kAnything) refuse("choose either --resume or --force");
   chosen = chosenConfigurations(configurations);
   for (const std::string& text : moreConfigurations)
     chosen.push_back(parseConfiguration(text));

@@ -29,7 +29,8 @@ std::string toRepeat(int argc, char** argv) {
   std::string text = "jalousie";
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    const bool isKept = word != "--resume" && word != "--force" && word != "-q" && word != "--quiet" && word != "--debug";
+    const bool isKept =
+        word != "--resume" && word != "--force" && word != "-q" && word != "--quiet" && word != "--debug";
     if (isKept) text += " " + shellQuoted(word);
   }
   return text;

@@ -68,8 +68,7 @@ void render(const RenderOptions& options) {
                            oneLine(options.scene.string()), report.statistics.dropped,
                            options.rendererOptions.capacity.value_or(0)));
   if (!options.quiet)
-    warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics.triangles,
-                       options.settle);
+    warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics.triangles, options.settle);
   const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
   if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);

@@ -12,8 +12,8 @@ namespace jalousie::app {
 
 void warnIgnored(const std::filesystem::path& file, const asset::ContentCounts& ignored) {
   if (ignored.empty()) return;
-  printError(fmt::format("jalousie: warning: {}: not drawn: {}", oneLine(file.string()),
-                         oneLine(asset::toText(ignored))));
+  printError(
+      fmt::format("jalousie: warning: {}: not drawn: {}", oneLine(file.string()), oneLine(asset::toText(ignored))));
 }
 
 void warnUnmeasuredLevels(const std::filesystem::path& file) {

@@ -22,13 +22,12 @@ enum class Retain {
 
 /// Loads a .gltf or .glb file with all its buffers. Images stay encoded: `image.image` holds the PNG, JPEG or WebP
 /// bytes of the file, URI or buffer view, and `image.as_is` is true; formats and sizes are checked (checkImages does
-/// the rest); KTX2, AVIF and DDS are not looked at. A picture whose file does not exist has no bytes; checkImages refuses
-/// it. External files are opened only inside the document's folder. The
-/// document is validated: every index that one object holds of another is in range, every buffer view lies in its
-/// buffer, every accessor in its view, vertex indices are below the vertex count, the node hierarchy is a forest. Views
-/// with EXT_meshopt_compression or KHR_meshopt_compression and primitives with KHR_draco_mesh_compression are decoded,
-/// and the extension is gone. Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required
-/// extension), kLimit.
+/// the rest); KTX2, AVIF and DDS are not looked at. A picture whose file does not exist has no bytes, and checkImages
+/// refuses it. External files are opened only inside the document's folder. The document is validated: every index that
+/// one object holds of another is in range, every buffer view lies in its buffer, every accessor in its view, vertex
+/// indices are below the vertex count, the node hierarchy is a forest. Views with EXT_meshopt_compression or
+/// KHR_meshopt_compression and primitives with KHR_draco_mesh_compression are decoded, and the extension is gone.
+/// Errors: kFileNotFound, kFileUnreadable, kMalformed, kUnsupported (unknown required extension), kLimit.
 tinygltf::Model loadGltf(const std::filesystem::path& path, const Limits& limits = {},
                          const ReadObserver& observer = {});
 /// As loadGltf, for a document that is in memory already. @param path  the document's file: for messages, and its

@@ -14,8 +14,9 @@
 namespace jalousie::asset {
 
 /// Decodes every PNG, JPEG and WebP of a document and keeps none, so that no broken one is passed on; equal ones are
-/// decoded once. Each takes the memory of checkImage. @param path  the document's file, for messages
-/// Errors: as decodeImage; kFileNotFound for a picture whose file is missing; kLimit if the pictures have far more pixels than bytes. The message names the picture.
+/// decoded once. Each takes the memory of checkImage. @param path the document's file, for messages Errors: as
+/// decodeImage; kFileNotFound for a picture whose file is missing; kLimit if the pictures have far more pixels than
+/// bytes. The message names the picture.
 void checkImages(const tinygltf::Model& model, const std::filesystem::path& path, const Limits& limits = {});
 
 namespace detail {

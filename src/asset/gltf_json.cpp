@@ -129,7 +129,8 @@ void checkOwnExtras(const json& document, const Path& file) {
     if (!mesh.is_object() || !mesh.contains("extras") || !mesh["extras"].is_object()) continue;
     const auto own = mesh["extras"].find("jalousie");
     if (own != mesh["extras"].end() && holdsLargeInteger(*own))
-      throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.jalousie holds a number above 2^31 - 1", i), file);
+      throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.jalousie holds a number above 2^31 - 1", i),
+                  file);
   }
 }
 

@@ -14,10 +14,12 @@ namespace jalousie::asset {
 namespace {
 
 /// Extensions that are drawn, or that say nothing about what is drawn.
-constexpr std::array kDrawn = {
-    "EXT_mesh_gpu_instancing",   "EXT_meshopt_compression",   "EXT_texture_webp",      "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",       "KHR_mesh_quantization",     "KHR_meshopt_compression", "KHR_texture_transform",
-    "KHR_xmp_json_ld",           "MSFT_lod",                  "KHR_draco_mesh_compression"};
+constexpr std::array kDrawn = {"EXT_mesh_gpu_instancing",   "EXT_meshopt_compression",
+                               "EXT_texture_webp",          "KHR_materials_emissive_strength",
+                               "KHR_materials_unlit",       "KHR_mesh_quantization",
+                               "KHR_meshopt_compression",   "KHR_texture_transform",
+                               "KHR_xmp_json_ld",           "MSFT_lod",
+                               "KHR_draco_mesh_compression"};
 
 class Counter {
  public:
@@ -104,7 +106,9 @@ class Counter {
 
 }  // namespace
 
-ContentCounts ignoredContent(const tinygltf::Model& model, bool isTimed) { return Counter(model, isTimed).count(); }
+ContentCounts ignoredContent(const tinygltf::Model& model, bool isTimed) {
+  return Counter(model, isTimed).count();
+}
 
 std::string toText(const ContentCounts& counts) {
   std::string text;

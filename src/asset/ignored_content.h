@@ -10,9 +10,9 @@
 namespace jalousie::asset {
 
 /// Counts by name what readScene leaves out and what drawing leaves out: "clearcoat" materials (of an extension
-/// KHR_materials_clearcoat), "lights", "animation channels", "textures of metalness and roughness" and others. Empty for
-/// a document that is drawn as it is. The shading is no physically based one, so factors of metalness and roughness do
-/// not count.
+/// KHR_materials_clearcoat), "lights", "animation channels", "textures of metalness and roughness" and others. Empty
+/// for a document that is drawn as it is. The shading is no physically based one, so factors of metalness and roughness
+/// do not count.
 /// @param isTimed  the animations are shown at a time
 ContentCounts ignoredContent(const tinygltf::Model& model, bool isTimed);
 

@@ -13,7 +13,9 @@
 namespace jalousie::asset::detail {
 namespace {
 
-[[noreturn]] void malformed(const char* what) { throw Error(ErrorCode::kMalformed, what); }
+[[noreturn]] void malformed(const char* what) {
+  throw Error(ErrorCode::kMalformed, what);
+}
 
 /// An attribute with one element for each vertex; empty if the primitive has none.
 template <class Read>
@@ -69,8 +71,7 @@ std::vector<glm::dmat4> blendedMatrices(const tinygltf::Model& model, const tiny
 void bend(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const MeshPose& pose,
           ElementBudget& budget, const PosedVertices& vertices) {
   if (!primitive.attributes.contains("JOINTS_0") || !primitive.attributes.contains("WEIGHTS_0")) return;
-  const std::vector<glm::dmat4> blended =
-      blendedMatrices(model, primitive, pose, budget, vertices.positions.size());
+  const std::vector<glm::dmat4> blended = blendedMatrices(model, primitive, pose, budget, vertices.positions.size());
   for (std::size_t v = 0; v < blended.size(); ++v) {
     vertices.positions[v] = glm::vec3(blended[v] * glm::dvec4(vertices.positions[v], 1.0));
     if (vertices.normals.empty()) continue;
@@ -95,8 +96,8 @@ double MeshPose::largestScale() const {
     const glm::dmat3 linear(matrix);
     const glm::dmat3 product = glm::transpose(linear) * linear;
     for (int row = 0; row < 3; ++row)
-      largest = std::max(largest, std::sqrt(std::abs(product[0][row]) + std::abs(product[1][row]) +
-                                            std::abs(product[2][row])));
+      largest = std::max(largest,
+                         std::sqrt(std::abs(product[0][row]) + std::abs(product[1][row]) + std::abs(product[2][row])));
   }
   return largest;
 }

@@ -23,16 +23,21 @@ std::vector<float> flat(const std::vector<Vector>& values) {
   return numbers;
 }
 
-glm::dquat quaternion(std::span<const double> xyzw) { return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]}; }
+glm::dquat quaternion(std::span<const double> xyzw) {
+  return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]};
+}
 
-std::vector<double> numbers(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
+std::vector<double> numbers(const glm::dquat& q) {
+  return {q.x, q.y, q.z, q.w};
+}
 
 std::vector<double> normalized(std::vector<double> quaternion) {
   double length = 0.0;
   for (const double x : quaternion)
     length += x * x;
   length = std::sqrt(length);
-  if (!(length > 0.0) || !std::isfinite(length)) throw Error(ErrorCode::kMalformed, "an animated rotation has no direction");
+  if (!(length > 0.0) || !std::isfinite(length))
+    throw Error(ErrorCode::kMalformed, "an animated rotation has no direction");
   for (double& x : quaternion)
     x /= length;
   return quaternion;
@@ -73,7 +78,9 @@ const tinygltf::AnimationSampler* NodeMotion::samplerOf(int node, const std::str
   return found == samplers_.end() ? nullptr : found->second;
 }
 
-bool NodeMotion::moves(int node, const std::string& property) const { return samplerOf(node, property) != nullptr; }
+bool NodeMotion::moves(int node, const std::string& property) const {
+  return samplerOf(node, property) != nullptr;
+}
 
 bool NodeMotion::moves(int node) const {
   return moves(node, "translation") || moves(node, "rotation") || moves(node, "scale");
@@ -101,7 +108,8 @@ const NodeMotion::Keys& NodeMotion::keysOf(const tinygltf::AnimationSampler& sam
       throw Error(ErrorCode::kMalformed, "animation times must be finite and ascend");
   keys.width = keys.values.size() / (keys.times.size() * perKey);
   const std::size_t expected = property == "rotation" ? 4 : property == "weights" ? keys.width : 3;
-  if (keys.width != expected) throw Error(ErrorCode::kMalformed, "an animation has different numbers of times and values");
+  if (keys.width != expected)
+    throw Error(ErrorCode::kMalformed, "an animation has different numbers of times and values");
   return keys;
 }
 
@@ -134,13 +142,14 @@ std::vector<double> NodeMotion::valueAt(int node, const std::string& property, d
     const std::vector<double> leaving = part(at.first, 2);
     const std::vector<double> arriving = part(at.second, 0);
     for (std::size_t i = 0; i < keys.width; ++i)
-      value[i] = (2.0 * t * t * t - 3.0 * t * t + 1.0) * value[i] + at.length * (t * t * t - 2.0 * t * t + t) * leaving[i] +
-                 (3.0 * t * t - 2.0 * t * t * t) * next[i] + at.length * (t * t * t - t * t) * arriving[i];
+      value[i] = (2.0 * t * t * t - 3.0 * t * t + 1.0) * value[i] +
+                 at.length * (t * t * t - 2.0 * t * t + t) * leaving[i] + (3.0 * t * t - 2.0 * t * t * t) * next[i] +
+                 at.length * (t * t * t - t * t) * arriving[i];
     return turns ? normalized(std::move(value)) : value;
   }
   if (turns)
-    return numbers(glm::normalize(
-        glm::slerp(quaternion(normalized(std::move(value))), quaternion(normalized(next)), t)));
+    return numbers(
+        glm::normalize(glm::slerp(quaternion(normalized(std::move(value))), quaternion(normalized(next)), t)));
   for (std::size_t i = 0; i < keys.width; ++i)
     value[i] += (next[i] - value[i]) * t;
   return value;

@@ -56,7 +56,7 @@ class CameraReader {
   /// Channels of all animations by the node that they move, in the document's order.
   std::map<int, std::vector<std::pair<const tinygltf::Animation*, const tinygltf::AnimationChannel*>>> channels_;
   NodeMotion motion_;
-  std::vector<int> parents_;        ///< of each node; -1: none
+  std::vector<int> parents_;         ///< of each node; -1: none
   std::uint64_t sampledFrames_ = 0;  ///< of all cameras
   KeyTable<glm::vec3> positions_;
   KeyTable<glm::quat> rotations_;

@@ -87,8 +87,8 @@ class SceneReader {
   /// Decodes an image at its first use.
   std::uint32_t imageIndex(const detail::TextureReference& reference) {
     if (keep_ == Keep::kNothing) return 0;
-    const auto [place, isNew] = imageIndex_.try_emplace({reference.image, reference.isData},
-                                                        static_cast<std::uint32_t>(scene_.images.size()));
+    const auto [place, isNew] =
+        imageIndex_.try_emplace({reference.image, reference.isData}, static_cast<std::uint32_t>(scene_.images.size()));
     if (!isNew) return place->second;
     ImageRgba8 decoded =
         detail::useImage(model_, static_cast<std::size_t>(reference.image),
@@ -161,8 +161,10 @@ class SceneReader {
       LodLevel level{*index, 0.0F};
       if (!chain.levels.empty()) {
         const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(shown.mesh)]);
-        const auto scale = static_cast<float>(shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode).largestScale() : 1.0);
-        level.errorObject = info ? scale * static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
+        const auto scale =
+            static_cast<float>(shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode).largestScale() : 1.0);
+        level.errorObject =
+            info ? scale * static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
         if (info && info->measures) level.meanErrorObject = scale * static_cast<float>(info->measures->twoSided.mean);
       }
       chain.levels.push_back(level);

@@ -127,8 +127,7 @@ MaterialTextures texturesOf(const tinygltf::Model& model, const tinygltf::Materi
   MaterialTextures textures;
   textures.base = referenceOf(model, material.pbrMetallicRoughness.baseColorTexture, false);
   if (material.extensions.contains(kUnlit)) return textures;
-  if (emissionOf(material) != glm::vec3(0.0F))
-    textures.emission = referenceOf(model, material.emissiveTexture, false);
+  if (emissionOf(material) != glm::vec3(0.0F)) textures.emission = referenceOf(model, material.emissiveTexture, false);
   textures.normals = referenceOf(model, material.normalTexture, true);
   return textures;
 }

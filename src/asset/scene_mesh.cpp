@@ -124,9 +124,9 @@ Primitive readPrimitive(Source source, const MeshContext& context) {
   if (source.vertexCount > 0xFFFFFFFFULL) throw Error(ErrorCode::kLimit, "more than 2^32 vertices");
 
   Primitive primitive;
-  primitive.material = static_cast<std::uint32_t>(
-      source.primitive.material >= 0 ? static_cast<std::size_t>(source.primitive.material)
-                                     : context.materials.size() - 1);
+  primitive.material =
+      static_cast<std::uint32_t>(source.primitive.material >= 0 ? static_cast<std::size_t>(source.primitive.material)
+                                                                : context.materials.size() - 1);
   primitive.indices = readTriangles(source, budget);
   if (primitive.indices.empty()) return primitive;
   const bool flat = source.accessor("NORMAL") < 0;

@@ -17,7 +17,7 @@ namespace jalousie::asset {
 struct SceneSize {
   std::uint64_t documentBytes = 0;  ///< of the loaded document's buffers and encoded images
   std::uint64_t instances = 0;
-  std::uint64_t vertices = 0;  ///< of all meshes, each once; an own one per corner where a primitive has no normals
+  std::uint64_t vertices = 0;   ///< of all meshes, each once; an own one per corner where a primitive has no normals
   std::uint64_t secondUvs = 0;  ///< vertices, if some texture is read by TEXCOORD_1
   std::uint64_t indices = 0;
   std::uint64_t cellEnds = 0;  ///< of all primitives

@@ -134,8 +134,8 @@ struct SceneFile {
   std::vector<Material> materials;  ///< never empty
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;
-  std::vector<Instance> instances;      ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
-  std::vector<Camera> cameras;          ///< perspective cameras in the scene, in order of traversal
+  std::vector<Instance> instances;  ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
+  std::vector<Camera> cameras;      ///< perspective cameras in the scene, in order of traversal
   ContentCounts ignored;            ///< what the document holds that is not drawn
 };
 

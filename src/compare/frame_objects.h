@@ -11,16 +11,16 @@ class FrameRenderer;
 namespace jalousie::compare {
 
 struct FrameObjects {
-  std::uint64_t visible = 0;   ///< objects with at least one visible pixel
-  std::uint64_t switched = 0;  ///< of these, objects drawn at another level than in the frame before
-  std::uint64_t lost = 0;      ///< objects that the frame left out although nothing that it drew hides them
+  std::uint64_t visible = 0;      ///< objects with at least one visible pixel
+  std::uint64_t switched = 0;     ///< of these, objects drawn at another level than in the frame before
+  std::uint64_t lost = 0;         ///< objects that the frame left out although nothing that it drew hides them
   std::uint64_t wrongPixels = 0;  ///< pixels that show something else than they would without culling
   /// 1 where an object is seen, or would be seen without culling; [height * width], row 0 at the top.
   std::vector<std::uint8_t> covered;
 };
 
-/// Looks at the renderer's last frame. Objects that it left out are drawn over it, at their coarsest level. Draws object
-/// numbers and waits for the GPU.
+/// Looks at the renderer's last frame. Objects that it left out are drawn over it, at their coarsest level. Draws
+/// object numbers and waits for the GPU.
 FrameObjects countObjects(render::FrameRenderer& renderer);
 
 }  // namespace jalousie::compare

@@ -79,8 +79,9 @@ void ReportFolder::lock() {
   if (!empty && !holdsLog(path_))
     throw Error(ErrorCode::kUsage, "is not empty and holds no report; choose another folder", path_);
   if (!empty && !mayHoldReport_)
-    throw Error(ErrorCode::kUsage, "holds a report; choose another folder, or add --force to replace it or --resume to "
-                                   "continue it",
+    throw Error(ErrorCode::kUsage,
+                "holds a report; choose another folder, or add --force to replace it or --resume to "
+                "continue it",
                 path_);
   requireWritable(path_);
 }

@@ -19,8 +19,8 @@ class ReportFolder {
  public:
   /// Checks the folder before the run's work: it may be missing or be empty.
   /// @param mayHoldReport  it may also hold a report, which is replaced or continued
-  /// Errors: kUsage if it holds other files, or a report that must stay; kWriteFailed if it cannot be created or written, or another
-  /// run is using it.
+  /// Errors: kUsage if it holds other files, or a report that must stay; kWriteFailed if it cannot be created or
+  /// written, or another run is using it.
   ReportFolder(std::filesystem::path path, bool mayHoldReport);
   /// Creates it if it is missing, and removes unfinished files of killed runs. Errors: as the constructor.
   void create();

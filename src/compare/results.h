@@ -21,11 +21,11 @@ struct Sample {
   double frameMs = 0.0;                                ///< sum over the passes
   std::vector<std::pair<std::string, double>> passes;  ///< name and ms, in frame order
   std::optional<ImageError> error;                     ///< absent without a reference
-  std::optional<std::uint64_t> visible;   ///< objects with at least one visible pixel; absent without pictures
-  std::optional<std::uint64_t> switched;  ///< of these, objects drawn at another level than in the frame before
+  std::optional<std::uint64_t> visible;      ///< objects with at least one visible pixel; absent without pictures
+  std::optional<std::uint64_t> switched;     ///< of these, objects drawn at another level than in the frame before
   std::optional<std::uint64_t> lost;         ///< FrameObjects::lost; absent without pictures
   std::optional<std::uint64_t> wrongPixels;  ///< FrameObjects::wrongPixels
-  std::optional<double> temporal;         ///< as KeptSample::temporal; absent where frames are left out
+  std::optional<double> temporal;            ///< as KeptSample::temporal; absent where frames are left out
 };
 
 /// Figures of one configuration at a kept frame, beside those of its pictures.

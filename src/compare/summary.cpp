@@ -366,11 +366,11 @@ std::string summaryText(const ordered_json& summary) {
     const ordered_json& error = c.at("error");
     const std::string flip = error.is_null() ? "-" : orDash(error.at("flip").at("mean"), "{:.4f}");
     const ordered_json& lost = c.at("lost");
-    text += fmt::format("{:<28} {:>9} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}",
-                        c.at("name").get<std::string>(),
-                        lost.is_null() ? "-" : std::to_string(lost.at("pixels_most").get<std::uint64_t>()), shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"),
-                        median("frame_ratio"), flip, psnrText(error),
-                        orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
+    text += fmt::format(
+        "{:<28} {:>9} {:>10} {:>7.2f} {:>10.1f} {:>7.2f} {:>8} {:>8} {:>8}", c.at("name").get<std::string>(),
+        lost.is_null() ? "-" : std::to_string(lost.at("pixels_most").get<std::uint64_t>()),
+        shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"), median("frame_ratio"), flip,
+        psnrText(error), orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
     if (judged)
       text += fmt::format(" {:>11}", isJudged(c) ? orDash(error.at("butteraugli").at("mean"), "{:.4f}") : "-");
     text += "\n";

@@ -15,8 +15,8 @@ inline constexpr const char* kStandardOutput = "-";
 
 /// A file that an option names.
 struct NamedFile {
-  std::string option;          ///< "-o", for messages
-  std::filesystem::path path;  ///< empty: the option is not given
+  std::string option;                  ///< "-o", for messages
+  std::filesystem::path path;          ///< empty: the option is not given
   OutputKind kind = OutputKind::kAny;  ///< what will be written; kAny: may replace anything
   bool mayBeStdout = false;            ///< "-" means standard output
 };

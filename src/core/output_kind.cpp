@@ -89,7 +89,7 @@ bool startsLikeRule(std::string_view text) {
 }  // namespace
 
 const char* nameOf(OutputKind kind) {
-  constexpr std::array kNames = {"a file",        "a PNG picture", "a JSON report",        "a glTF scene",
+  constexpr std::array kNames = {"a file",        "a PNG picture", "a JSON report",       "a glTF scene",
                                  "a camera path", "a page",        "a file of make rules"};
   return kNames.at(static_cast<std::size_t>(kind));
 }

@@ -32,8 +32,7 @@ gl::Texture makeClass(const scene::TextureClass& size) {
     throw Error(ErrorCode::kLimit, "the scene has " + std::to_string(size.layers) + " textures of one size, this " +
                                        "driver's texture arrays hold " + std::to_string(maxLayers));
   const auto levels = static_cast<std::uint32_t>(std::bit_width(std::max(size.width, size.height)));
-  gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {size.width, size.height, size.layers, levels},
-                      "textures");
+  gl::Texture texture(GL_TEXTURE_2D_ARRAY, GL_SRGB8_ALPHA8, {size.width, size.height, size.layers, levels}, "textures");
   texture.setSampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
   return texture;
 }

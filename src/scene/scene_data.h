@@ -48,10 +48,10 @@ struct SceneData : DrawTables {
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
-  CellTables cells;           ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
-  Aabb boundsWorld;           ///< of all objects
-  bool usesFullMaterials = false;  ///< a material has more than a base colour with a texture that isPlain()
-  bool usesBlending = false;  ///< whether any level has blended triangles
+  CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
+  Aabb boundsWorld;  ///< of all objects
+  bool usesFullMaterials = false;       ///< a material has more than a base colour with a texture that isPlain()
+  bool usesBlending = false;            ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
   std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches
 

@@ -95,7 +95,8 @@ void restoreCoverage(ImageRgba8& image, float cutoff, float coverage) {
 ImageRgba8 enlarged(const ImageRgba8& source, std::uint32_t width, std::uint32_t height) {
   ImageRgba8 result{width, height, std::vector<std::uint8_t>(std::size_t{4} * width * height)};
   for (std::uint32_t y = 0; y < height; ++y) {
-    const auto row = static_cast<std::uint32_t>((2 * std::uint64_t{y} + 1) * source.height / (2 * std::uint64_t{height}));
+    const auto row =
+        static_cast<std::uint32_t>((2 * std::uint64_t{y} + 1) * source.height / (2 * std::uint64_t{height}));
     for (std::uint32_t x = 0; x < width; ++x) {
       const auto column =
           static_cast<std::uint32_t>((2 * std::uint64_t{x} + 1) * source.width / (2 * std::uint64_t{width}));

@@ -224,7 +224,7 @@ TEST_F(CompareCommand, FramesAreTheSameInEveryRunAndHoweverItIsInterrupted) {
   }
 }
 
-TEST_F(CompareCommand, AReportReplacesAReportAndLeavesOtherFilesAlone) {
+TEST_F(CompareCommand, AReportReplacesAReportByForceAndLeavesOtherFilesAlone) {
   const std::vector<std::string> words = {"compare", file("scene.glb"), "--configs", "hom+lv",
                                           "--size",  "64x36",           "--keep",    "1",
                                           "-o",      file("twice"),     "--quiet"};
@@ -233,7 +233,11 @@ TEST_F(CompareCommand, AReportReplacesAReportAndLeavesOtherFilesAlone) {
   EXPECT_GT(first["configurations"][0]["popping"]["switches_per_visible_object"], 0.0)
       << "levels switch from the frame before, though nothing else is remembered of it";
   std::ofstream(file("twice/pictures/mine.png")) << "not yours";
-  ASSERT_EQ(jalousie(with(words, {"--frames", "0"})).exitCode, 0);
+  const ProgramResult refused = jalousie(with(words, {"--frames", "0"}));
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.standardError.find("--force"), std::string::npos) << refused.standardError;
+  EXPECT_EQ(jsonOf(file("twice/summary.json")), first);
+  ASSERT_EQ(jalousie(with(words, {"--frames", "0", "--force"})).exitCode, 0);
   EXPECT_EQ(jsonOf(file("twice/summary.json"))["frames"]["kept"], json::array({0U}));
   EXPECT_TRUE(
       jsonOf(file("twice/summary.json"))["configurations"][0]["popping"]["switches_per_visible_object"].is_null());
@@ -294,9 +298,9 @@ TEST_F(CompareCommand, WithoutAReferenceOnlyCullingRuns) {
 }
 
 TEST_F(CompareCommand, WhatCullingLosesIsReported) {
-  const ProgramResult result = jalousie({"compare", file("scene.glb"), "--configs", "hiz", "--config",
-                                         "careless=--min-pixels 2000", "--frames", "900", "--size", "160x90", "--keep",
-                                         "1", "-o", file("losses"), "--json", "-", "--quiet"});
+  const ProgramResult result =
+      jalousie({"compare", file("scene.glb"), "--configs", "hiz", "--config", "careless=--min-pixels 2000", "--frames",
+                "900", "--size", "160x90", "--keep", "1", "-o", file("losses"), "--json", "-", "--quiet"});
   ASSERT_EQ(result.exitCode, 0) << result.standardError;
   const json configurations = json::parse(result.standardOutput)["configurations"];
   EXPECT_EQ(configurations[0]["lost"], json({{"objects_most", 0}, {"pixels_most", 0}, {"frames", 0}}));

@@ -85,8 +85,8 @@ std::string pointText(const json& point) {
 
 ProgramResult render(const json& drawn, const std::string& folder) {
   const std::string name = folder + "/" + drawn["name"].get<std::string>();
-  std::vector<std::string> words = {"render", name + ".glb", "-o", name + ".png", "--size", kSize,
-                                    "--lod",  "finest",      "-q"};
+  std::vector<std::string> words = {"render", name + ".glb", "-o",     name + ".png", "--size",
+                                    kSize,    "--lod",       "finest", "-q"};
   const auto add = [&](const char* option, const std::string& value) { words.insert(words.end(), {option, value}); };
   if (drawn.contains("time")) add("--time", std::to_string(drawn["time"].get<double>()));
   if (drawn.contains("camera")) add("--camera", drawn["camera"].get<std::string>());
@@ -110,8 +110,8 @@ TEST(ThreePictures, AgreeOnPlacementColoursPosesAndCameras) {
   if (drawn.exitCode == 77) GTEST_SKIP() << drawn.standardOutput;
   ASSERT_EQ(drawn.exitCode, 0) << drawn.standardOutput << drawn.standardError;
   const std::vector<std::byte> text = readFile(folder / "cases.json", 1U << 20U);
-  const json cases = json::parse(reinterpret_cast<const char*>(text.data()),
-                                 reinterpret_cast<const char*>(text.data()) + text.size());
+  const json cases =
+      json::parse(reinterpret_cast<const char*>(text.data()), reinterpret_cast<const char*>(text.data()) + text.size());
   EXPECT_GE(cases.size(), 25U);
   std::vector<ImageRgba8> pictures;
   std::size_t covering = 0;

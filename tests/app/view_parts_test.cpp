@@ -140,11 +140,12 @@ TEST(RenderOptionTable, PanelHasEveryOptionOfRender) {
   RenderOptions options;
   CLI::App parser;
   addRenderOptions(parser, options);
-  // Widgets of their own: the camera, the window's size, what is written. The last three mean nothing in a window, and
-  // the limit on memory is for the whole process.
-  const std::set<std::string> others = {
-      "scene",         "--help", "--path",   "--frame", "--eye",    "--look",       "--freeze-frame", "--freeze-eye",
-      "--freeze-look", "--size", "--output", "--json",  "--repeat", "--stats-only", "--quiet",        "--max-memory"};
+  // Widgets of their own: the camera, the time, the window's size, what is written. The last four mean nothing in a
+  // window, and the limit on memory is for the whole process.
+  const std::set<std::string> others = {"scene",        "--help",         "--path",       "--frame",       "--eye",
+                                        "--look",       "--freeze-frame", "--freeze-eye", "--freeze-look", "--size",
+                                        "--output",     "--json",         "--repeat",     "--stats-only",  "--quiet",
+                                        "--max-memory", "--camera",       "--time",       "--force"};
   std::size_t rows = 0;
   for (const CLI::Option* option : parser.get_options()) {
     const std::string name = option->get_positional() ? option->get_name(true) : option->get_name();

@@ -65,7 +65,8 @@ std::vector<glm::vec3> moved(std::vector<glm::vec3> positions, const glm::vec3& 
 
 TEST(ScenePose, AnimatedNodesStandWhereTheirTimeSays) {
   tinygltf::Model model = movedTriangle();
-  animate(model, 0, "translation", "LINEAR", appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {0, 4, 0}}, 0), {1, 3});
+  animate(model, 0, "translation", "LINEAR", appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {0, 4, 0}}, 0),
+          {1, 3});
   const std::vector<glm::vec3> origin = moved(worldPositions(at(model, std::nullopt)), {-10, 0, 0});
   expectNear(worldPositions(at(model, 0.0)), origin);
   expectNear(worldPositions(at(model, 2.5)), moved(origin, {0, 3, 0}));
@@ -78,12 +79,13 @@ TEST(ScenePose, EveryInterpolationFollowsTheSpecification) {
   tinygltf::Model model = movedTriangle();
   animate(model, 0, "scale", "STEP", appendVec3(model, std::vector<glm::vec3>{{1, 1, 1}, {2, 3, 4}}, 0), {0, 2});
   const float half = std::sqrt(0.5F);
-  animate(model, 0, "rotation", "LINEAR", appendVec4(model, std::vector<glm::vec4>{{0, 0, 0, 1}, {0, 0, half, half}}, 0),
-          {0, 2});
+  animate(model, 0, "rotation", "LINEAR",
+          appendVec4(model, std::vector<glm::vec4>{{0, 0, 0, 1}, {0, 0, half, half}}, 0), {0, 2});
   // In-tangent, value, out-tangent of each key.
-  animate(model, 0, "translation", "CUBICSPLINE",
-          appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {4, 0, 0}, {0, 8, 0}, {3, 0, 0}, {0, 0, 0}}, 0),
-          {0, 2});
+  animate(
+      model, 0, "translation", "CUBICSPLINE",
+      appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {4, 0, 0}, {0, 8, 0}, {3, 0, 0}, {0, 0, 0}}, 0),
+      {0, 2});
   const Limits limits;
   NodeMotion motion(model, limits);
   const glm::dmat4 middle = motion.transformAt(0, 1.0);
@@ -101,7 +103,8 @@ tinygltf::Model skinned() {
   tinygltf::Model model = movedTriangle();
   std::map<std::string, int>& attributes = model.meshes[0].primitives[0].attributes;
   attributes["JOINTS_0"] = appendVec4(model, std::vector<glm::vec4>{{0, 9, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}}, 0);
-  attributes["WEIGHTS_0"] = appendVec4(model, std::vector<glm::vec4>{{1, 0, 0, 0}, {1, 0, 0, 0}, {0.25F, 0.75F, 0, 0}}, 0);
+  attributes["WEIGHTS_0"] =
+      appendVec4(model, std::vector<glm::vec4>{{1, 0, 0, 0}, {1, 0, 0, 0}, {0.25F, 0.75F, 0, 0}}, 0);
   for (const double x : {100.0, 200.0}) {
     tinygltf::Node joint;
     joint.translation = {x, 0, 0};
@@ -120,13 +123,14 @@ TEST(ScenePose, SkinsPlaceVerticesByTheirJoints) {
   const tinygltf::Model model = skinned();
   const SceneFile scene = at(model, std::nullopt);
   EXPECT_EQ(scene.instances.at(0).worldFromObject, glm::mat4(1.0F)) << "the node's own place has no effect";
-  expectNear(worldPositions(scene), {rest[0] + glm::vec3(100, 0, 0), rest[1] + glm::vec3(200, 0, 0),
-                                     rest[2] + glm::vec3(175, 0, 0)});
+  expectNear(worldPositions(scene),
+             {rest[0] + glm::vec3(100, 0, 0), rest[1] + glm::vec3(200, 0, 0), rest[2] + glm::vec3(175, 0, 0)});
 }
 
 TEST(ScenePose, SkinsFollowAnimatedJoints) {
   tinygltf::Model model = skinned();
-  animate(model, 2, "translation", "LINEAR", appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {0, 8, 0}}, 0), {0, 1});
+  animate(model, 2, "translation", "LINEAR", appendVec3(model, std::vector<glm::vec3>{{0, 0, 0}, {0, 8, 0}}, 0),
+          {0, 1});
   const std::vector<glm::vec3> rest = worldPositions(at(model, 0.0));
   const std::vector<glm::vec3> later = worldPositions(at(model, 0.5));
   EXPECT_LT(glm::distance(later[0], rest[0]), 1e-5F);

@@ -311,9 +311,9 @@ TEST(ParetoFront, IsWhatNoPointDominates) {
 
 TEST(SummaryJson, KeysAreStable) {
   const ordered_json summary = summaryOf(wholeResults(), {"one", "two"});
-  EXPECT_EQ(keysOf(summary), (Keys{"version", "complete", "scene", "path", "command", "renderer", "timing", "ignored", "width",
-                                   "height", "frames", "reference", "pixels_per_degree", "baseline", "triangles_full",
-                                   "objects", "configurations", "sweep"}));
+  EXPECT_EQ(keysOf(summary), (Keys{"version", "complete", "scene", "path", "command", "renderer", "timing", "ignored",
+                                   "width", "height", "frames", "reference", "pixels_per_degree", "baseline",
+                                   "triangles_full", "objects", "configurations", "sweep"}));
   EXPECT_EQ(keysOf(summary["frames"]), (Keys{"first", "last", "step", "count", "lead", "kept"}));
   for (const ordered_json& c : summary["configurations"]) {
     EXPECT_EQ(keysOf(c), (Keys{"name", "options", "frames", "triangles", "triangles_total", "triangles_ratio",

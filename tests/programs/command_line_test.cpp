@@ -178,7 +178,8 @@ TEST_F(CommandLineTest, OutputsThatCannotBeWrittenAreRefusedFirst) {
   std::filesystem::create_directory(at("taken"));
   std::ofstream(at("taken/ball.glb")) << "dear reader";
   std::filesystem::create_directory(at("report"));
-  std::ofstream(at("report/run.jsonl")) << R"({"log": 1, "experiment": "0"})" << "\n";
+  std::ofstream(at("report/run.jsonl")) << R"({"log": 1, "experiment": "0"})"
+                                        << "\n";
   std::ofstream(at("report.json")) << R"({"figures": []})";
   std::ofstream(at("scene.gltf")) << R"({"meshes": [], "asset": {"version": "2.0"}})";
   ASSERT_EQ(run({JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "path.glb", "-q"}}).exitCode, 0);

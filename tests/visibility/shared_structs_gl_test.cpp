@@ -75,18 +75,12 @@ const std::map<std::string, Layout>& expectedLayouts() {
         {JAL_FIELD("materials[0].", Material, baseColor), JAL_FIELD("materials[0].", Material, emission),
          JAL_FIELD("materials[0].", Material, flags), JAL_FIELD("materials[0].", Material, alphaCutoff),
          JAL_FIELD("materials[0].", Material, reserved0), JAL_FIELD("materials[0].", Material, reserved1),
-         JAL_FIELD("materials[0].", Material, base.uvAxes),
-         JAL_FIELD("materials[0].", Material, base.uvOffset),
-         JAL_FIELD("materials[0].", Material, base.place),
-         JAL_FIELD("materials[0].", Material, base.sampling),
-         JAL_FIELD("materials[0].", Material, emissive.uvAxes),
-         JAL_FIELD("materials[0].", Material, emissive.uvOffset),
-         JAL_FIELD("materials[0].", Material, emissive.place),
-         JAL_FIELD("materials[0].", Material, emissive.sampling),
-         JAL_FIELD("materials[0].", Material, normals.uvAxes),
-         JAL_FIELD("materials[0].", Material, normals.uvOffset),
-         JAL_FIELD("materials[0].", Material, normals.place),
-         JAL_FIELD("materials[0].", Material, normals.sampling)}}},
+         JAL_FIELD("materials[0].", Material, base.uvAxes), JAL_FIELD("materials[0].", Material, base.uvOffset),
+         JAL_FIELD("materials[0].", Material, base.place), JAL_FIELD("materials[0].", Material, base.sampling),
+         JAL_FIELD("materials[0].", Material, emissive.uvAxes), JAL_FIELD("materials[0].", Material, emissive.uvOffset),
+         JAL_FIELD("materials[0].", Material, emissive.place), JAL_FIELD("materials[0].", Material, emissive.sampling),
+         JAL_FIELD("materials[0].", Material, normals.uvAxes), JAL_FIELD("materials[0].", Material, normals.uvOffset),
+         JAL_FIELD("materials[0].", Material, normals.place), JAL_FIELD("materials[0].", Material, normals.sampling)}}},
       {"CommandBlock",
        {sizeof(gpu::DrawCommand),
         {JAL_FIELD("commands[0].", DrawCommand, count), JAL_FIELD("commands[0].", DrawCommand, instanceCount),
@@ -194,7 +188,7 @@ std::string resourceName(GLuint program, GLenum kind, GLuint index) {
 
 /// "cullView.mode" and "CullViewBlock.mode" both name a member of an instance-less or instanced uniform block.
 std::string fieldOf(const std::string& variable) {
-  return variable.substr(variable.rfind('.') + 1);
+  return variable.substr(variable.find('.') + 1);
 }
 
 std::size_t checkVariable(GLuint program, GLenum kind, GLuint index, const std::string& block, const Layout& layout) {

@@ -173,9 +173,7 @@ Written writeEqual(tinygltf::Model& model, std::size_t index, const Document& do
 std::vector<std::size_t> shareLevels(const tinygltf::Model& model, const std::vector<std::size_t>& used,
                                      const MeshUse& use, const std::optional<SceneShare>& share) {
   std::vector<std::size_t> first = findEqualMeshes(model, used);
-  const auto passes = [&](std::size_t mesh) {
-    return !reasonToPass(model, mesh, use).empty();
-  };
+  const auto passes = [&](std::size_t mesh) { return !reasonToPass(model, mesh, use).empty(); };
   for (std::size_t i = 0; i < used.size(); ++i) {
     const std::size_t other = used[first[i]];
     const bool sameShare = !share || (share->targets[used[i]] == share->targets[other] &&

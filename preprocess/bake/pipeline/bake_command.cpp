@@ -149,7 +149,8 @@ void checkFiles(const CommandLine& command, const std::vector<BakeJob>& jobs) {
   for (const BakeJob& job : jobs)
     inputs.insert(inputs.end(), job.inputs.begin(), job.inputs.end());
   if (!isBatch(command))
-    outputs.insert(outputs.begin(), {{"-o", command.output, OutputKind::kScene}, {"--sheet", command.sheet, OutputKind::kPage}});
+    outputs.insert(outputs.begin(),
+                   {{"-o", command.output, OutputKind::kScene}, {"--sheet", command.sheet, OutputKind::kPage}});
   checkOutputs(outputs, inputs, command.replace);
   if (!isBatch(command) || command.replace == Replace::kAnything) return;
   for (const BakeJob& job : jobs) {

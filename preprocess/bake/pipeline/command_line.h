@@ -31,7 +31,7 @@ struct CommandLine {
   bool compress = false;
   bool quiet = false;
   Replace replace = Replace::kSameKind;  ///< by the outputs, also those of a batch
-  std::string chosen;  ///< the given options that change the bytes of the output, in a fixed order
+  std::string chosen;                    ///< the given options that change the bytes of the output, in a fixed order
   BakeOptions bake;
 };
 

@@ -91,10 +91,10 @@ void Document::read() {
   std::set<std::filesystem::path> files = {file_};
   const auto watchThem = [&] { watch_.watch({files.begin(), files.end()}); };
   try {
-    asset::SceneFile read = readWithin(
-        file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
-        {.observer = [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); },
-         .seconds = camera.time});
+    asset::SceneFile read =
+        readWithin(file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
+                   {.observer = [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); },
+                    .seconds = camera.time});
     watchThem();
     warnIgnored(file_, read.ignored);
     const scene::SceneData flat = scene::buildScene(read);

@@ -47,7 +47,7 @@ class Side {
 /// Cameras of a document, as the options of `jalousie render` name them.
 struct CameraChoice {
   std::filesystem::path path;
-  std::string camera;  ///< name or number; empty: the first one
+  std::string camera;          ///< name or number; empty: the first one
   std::optional<double> time;  ///< of the scene's animations, seconds
   std::optional<float> frame;
   std::optional<Pose> pose;
