@@ -122,6 +122,7 @@ class Choice {
   /// Draws the choices that follow from the errors of objects drawn all at one level.
   void start() {
     std::vector<std::vector<std::uint32_t>> choices;
+    choices.reserve(kPrices);
     for (int i = 0; i < kPrices; ++i)
       choices.push_back(choose(priceAt(i)));
     for (const std::vector<std::uint32_t>& levels : choices)
@@ -132,6 +133,7 @@ class Choice {
   void learnFrom(render::FrameRenderer& renderer) {
     const std::vector<gpu::ObjectState> states = renderer.readStates();
     std::vector<std::uint32_t> levels;
+    levels.reserve(states.size());
     for (std::size_t object = 0; object < states.size(); ++object)
       levels.push_back(std::min(states[object].lod, chainOf(object).lodCount - 1));
     measure(levels);
@@ -227,12 +229,13 @@ void measureBest(const LvView& view, nlohmann::ordered_json& figures) {
   nlohmann::ordered_json row = {{"scene", view.sceneName}, {"view", view.text}};
   std::array<std::string, 2> cells;
   const std::pair<const char*, const std::vector<Sample>&> rules[] = {{"price", price}, {"best", best}};
-  for (std::size_t rule = 0; rule < 2; ++rule)
+  for (std::size_t rule = 0; rule < 2; ++rule) {
     for (const ErrorMeasure& measure : kMeasures) {
       const double ratio = ratioAtEqualError(rules[rule].second, uniform, uniform, measure);
       row[rules[rule].first][measure.name] = orNull(ratio);
       cells[rule] += (cells[rule].empty() ? "" : ", ") + text(ratio);
     }
+  }
   const double rest = ratioAtEqualError(best, price, uniform);
   row["best_over_price_psnr"] = orNull(rest);
   figures.push_back(row);

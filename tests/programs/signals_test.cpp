@@ -140,7 +140,7 @@ TEST_F(Signals, IgnoredOnesStayIgnored) {
     EXPECT_EQ(run({JALOUSIE_SCATTER_PROGRAM, {"ball.glb", "--count", "200000", "-o", "n.glb", "-q"}}, setup).exitCode,
               0);
     EXPECT_EQ(run({JALOUSIE_BAKE_PROGRAM, {"ball.ply", "-o", "n.glb", "--preset", "fast", "-q"}}, setup).exitCode, 0);
-    EXPECT_EQ(run({JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "n.glb", "-q"}}, setup).exitCode, 0);
+    EXPECT_EQ(run({JALOUSIE_PROGRAM, {"record", "scene.glb", "-o", "path.glb", "-q"}}, setup).exitCode, 0);
   }
 }
 

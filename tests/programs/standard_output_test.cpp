@@ -37,8 +37,8 @@ class StandardOutputTest : public test::ProgramsTest {
         {JALOUSIE_PROGRAM, {"render", "scene.glb", "-o", "out.png", "--size", "64x36"}},
         {JALOUSIE_PROGRAM, {"render", "scene.glb", "--stats-only", "--size", "64x36", "--json", "-"}},
         {JALOUSIE_PROGRAM,
-         {"compare", "scene.glb", "-o", "report", "--frames", "0", "--size", "64x36", "--keep", "0", "-q", "--json",
-          "-"}},
+         {"compare", "scene.glb", "-o", "report", "--force", "--frames", "0", "--size", "64x36", "--keep", "0", "-q",
+          "--json", "-"}},
     };
     commands.insert(commands.end(), drawn.begin(), drawn.end());
     return commands;
