@@ -77,7 +77,7 @@ TEST_F(StandardOutputTest, AStandardErrorThatFailsLeavesTheExitCode) {
     for (const char* program : {JALOUSIE_PROGRAM, JALOUSIE_BAKE_PROGRAM, JALOUSIE_SCATTER_PROGRAM}) {
       const std::string arguments = program == std::string(JALOUSIE_PROGRAM) ? " record" : "";
       const std::string count = program == std::string(JALOUSIE_SCATTER_PROGRAM) ? " --count 2" : "";
-      const std::string words = program + arguments + " none.glb -o out.glb " + count + target;
+      const std::string words = program + arguments + " none.glb -o never.glb " + count + target;
       EXPECT_EQ(run({"/bin/sh", {"-c", words}}).exitCode, 3) << words;
     }
   }
