@@ -75,9 +75,10 @@ TEST_F(StandardOutputTest, ClosedStreamsDoNotMatterToProgramsThatPrintNothing) {
 TEST_F(StandardOutputTest, AStandardErrorThatFailsLeavesTheExitCode) {
   for (const char* target : {"2>/dev/full", "2>&-"}) {
     for (const char* program : {JALOUSIE_PROGRAM, JALOUSIE_BAKE_PROGRAM, JALOUSIE_SCATTER_PROGRAM}) {
-      const std::string arguments = program == std::string(JALOUSIE_PROGRAM) ? " record" : "";
-      const std::string count = program == std::string(JALOUSIE_SCATTER_PROGRAM) ? " --count 2" : "";
-      const std::string words = program + arguments + " none.glb -o never.glb " + count + target;
+      std::string words = program;
+      if (words == JALOUSIE_PROGRAM) words += " record";
+      if (words == JALOUSIE_SCATTER_PROGRAM) words += " --count 2";
+      words.append(" none.glb -o never.glb ").append(target);
       EXPECT_EQ(run({"/bin/sh", {"-c", words}}).exitCode, 3) << words;
     }
   }
