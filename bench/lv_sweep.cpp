@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "compare/frame_objects.h"
 #include "gl_bench.h"
 
 namespace jalousie::bench {
@@ -13,14 +14,7 @@ Sample Reference::errorsOf(const ImageRgba8& test) const {
   Sample sample{0.0, compare::psnr(image, test), compare::ssim(image, test)};
   if (!flip) return sample;
   const std::vector<float> map = compare::flipMap(*flip, compare::FlipImage(test));
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (covered[i] == 0) continue;
-    sum += map[i];
-    ++count;
-  }
-  if (count > 0) sample.flip = sum / static_cast<double>(count);
+  sample.flip = compare::meanOver(map, covered).value_or(sample.flip);
   return sample;
 }
 
@@ -28,13 +22,7 @@ Reference coveredReference(render::FrameRenderer& renderer, const scene::Camera&
   Reference reference{settledImage(renderer, finestOptions(/*twoPhases=*/false), camera)};
   reference.flip.emplace(reference.image);
   renderer.renderIds();
-  const std::vector<std::uint32_t> ids = renderer.readIds();  // row 0 at the bottom
-  const std::uint32_t width = reference.image.width;
-  const std::uint32_t height = reference.image.height;
-  reference.covered.resize(ids.size());
-  for (std::uint32_t y = 0; y < height; ++y)
-    for (std::uint32_t x = 0; x < width; ++x)
-      reference.covered[std::size_t{y} * width + x] = ids[std::size_t{height - 1 - y} * width + x] != 0 ? 1 : 0;
+  reference.covered = compare::coveredPixels(renderer.readIds(), reference.image.width);
   return reference;
 }
 

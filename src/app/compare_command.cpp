@@ -161,8 +161,9 @@ void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) 
   plan.gpuTiming = !capabilities.softwareRenderer;
 }
 
-void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes,
+void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes, const asset::Camera& path,
           const gl::Capabilities& capabilities) {
+  if (scene::frameCount(path) == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
   warnIgnored(options.scene, scenes.plain.ignored);
   if (scenes.plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
   for (std::size_t i = 0; i < setup.configurations.size(); ++i) {
@@ -223,9 +224,7 @@ int compareScene(const CompareOptions& options) {
   const platform::HeadlessContext context(options.debug);
   const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
-  if (!options.quiet) warn(options, setup, scenes, context.capabilities());
-  if (!options.quiet && scene::frameCount(path) == 1)
-    warnSingleFrame(options.path.empty() ? options.scene : options.path);
+  if (!options.quiet) warn(options, setup, scenes, path, context.capabilities());
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   folder.create();
   const DeferredInterruptions deferred;

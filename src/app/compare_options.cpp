@@ -10,6 +10,7 @@
 #include "app/option_values.h"
 #include "app/path_camera.h"
 #include "app/render_command_line.h"
+#include "cli/force_option.h"
 #include "cli/memory_option.h"
 #include "compare/report_folder.h"
 #include "core/error.h"
@@ -116,8 +117,7 @@ void addPictureOptions(CLI::App& command, CompareOptions& o) {
 
 void addRunOptions(CLI::App& command, CompareOptions& o) {
   command.add_flag("--resume", o.resume, "Continue the interrupted report in REPORT");
-  command.add_flag_callback(
-      "--force", [&o] { o.replace = Replace::kAnything; }, "Replace the report in REPORT");
+  cli::addForceOption(command, o.replace, "Replace the report in REPORT");
   command.add_option("--json", o.json, "Print summary.json on standard output as well")
       ->check(CLI::IsMember({"-"}).description(""))
       ->type_name("-");

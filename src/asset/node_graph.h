@@ -15,9 +15,9 @@ glm::dmat4 localTransform(const tinygltf::Node& node);
 /// Whether every number of a transform is finite as a float, which is what renderers use.
 bool isFinite(const glm::dmat4& transform);
 
-/// Roots of the scene to show: of the default scene, else of scene 0, where it lists a node without its parent the node
-/// itself; in a document without scenes all nodes that are
-/// neither a child nor a level of an MSFT_lod chain. Errors: as lodNodes.
+/// Roots of the scene to show: what the default scene lists, else scene 0, without nodes that lie below others of them;
+/// in a document without scenes all nodes that are neither a child nor a level of an MSFT_lod chain. Errors: as
+/// lodNodes.
 std::vector<int> sceneRoots(const tinygltf::Model& model);
 
 }  // namespace jalousie::asset

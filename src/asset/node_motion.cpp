@@ -65,6 +65,13 @@ Between between(const std::vector<float>& times, double seconds) {
 
 }  // namespace
 
+void requireAscending(const std::vector<float>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+      throw Error(ErrorCode::kMalformed, "animation times must be finite and ascend");
+  }
+}
+
 NodeMotion::NodeMotion(const tinygltf::Model& model, const Limits& limits) : model_(model), limits_(limits) {
   for (const tinygltf::Animation& animation : model.animations)
     for (const tinygltf::AnimationChannel& channel : animation.channels)
@@ -78,12 +85,9 @@ const tinygltf::AnimationSampler* NodeMotion::samplerOf(int node, const std::str
   return found == samplers_.end() ? nullptr : found->second;
 }
 
-bool NodeMotion::moves(int node, const std::string& property) const {
-  return samplerOf(node, property) != nullptr;
-}
-
 bool NodeMotion::moves(int node) const {
-  return moves(node, "translation") || moves(node, "rotation") || moves(node, "scale");
+  const auto isMoved = [&](const char* property) { return samplerOf(node, property) != nullptr; };
+  return isMoved("translation") || isMoved("rotation") || isMoved("scale");
 }
 
 const NodeMotion::Keys& NodeMotion::keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property) {
@@ -103,9 +107,7 @@ const NodeMotion::Keys& NodeMotion::keysOf(const tinygltf::AnimationSampler& sam
   if (keys.times.empty() || keys.values.size() % (keys.times.size() * perKey) != 0 || keys.values.empty() ||
       !std::all_of(keys.values.begin(), keys.values.end(), finite))
     throw Error(ErrorCode::kMalformed, "an animation's times and values do not fit together");
-  for (std::size_t i = 0; i < keys.times.size(); ++i)
-    if (!finite(keys.times[i]) || (i > 0 && !(keys.times[i] > keys.times[i - 1])))
-      throw Error(ErrorCode::kMalformed, "animation times must be finite and ascend");
+  requireAscending(keys.times);
   keys.width = keys.values.size() / (keys.times.size() * perKey);
   const std::size_t expected = property == "rotation" ? 4 : property == "weights" ? keys.width : 3;
   if (keys.width != expected)

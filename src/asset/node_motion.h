@@ -23,8 +23,8 @@ class NodeMotion {
 
   /// Whether something moves a node itself, relative to its parent.
   bool moves(int node) const;
-  /// Whether a channel moves a property, "translation", "rotation", "scale" or "weights", of a node.
-  bool moves(int node, const std::string& property) const;
+  /// The keys that move a property, "translation", "rotation", "scale" or "weights", of a node; null if nothing does.
+  const tinygltf::AnimationSampler* samplerOf(int node, const std::string& property) const;
   /// Time of the last key of all channels that move a node, seconds; 0 without. Errors: as transformAt.
   float lastKey(int node);
 
@@ -43,7 +43,6 @@ class NodeMotion {
     std::vector<float> values;  ///< width numbers each
     std::size_t width = 0;
   };
-  const tinygltf::AnimationSampler* samplerOf(int node, const std::string& property) const;
   const Keys& keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property);
   /// The value of a property at a time; empty if nothing moves it.
   std::vector<double> valueAt(int node, const std::string& property, double seconds);
@@ -53,5 +52,8 @@ class NodeMotion {
   std::map<std::pair<int, std::string>, const tinygltf::AnimationSampler*> samplers_;  ///< by node and property
   std::map<std::pair<const tinygltf::AnimationSampler*, std::string>, Keys> keys_;
 };
+
+/// Requires that times of keys are finite and ascend. Errors: kMalformed.
+void requireAscending(const std::vector<float>& times);
 
 }  // namespace jalousie::asset

@@ -35,13 +35,6 @@ void doubleKeys(std::vector<float>& times, std::vector<Value>& values) {
   }
 }
 
-void checkTimes(const std::vector<float>& times) {
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
-      malformed("animation times must be finite and ascend");
-  }
-}
-
 std::vector<glm::vec3> readTranslations(const tinygltf::Model& model, int accessor, std::uint64_t maxElements) {
   std::vector<glm::vec3> values = readVec3(model, accessor, maxElements);
   for (const glm::vec3& v : values) {
@@ -76,14 +69,11 @@ glm::dmat4 rigid(const glm::dmat4& transform) {
 
 }  // namespace
 
-CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits)
-    : model_(model), limits_(limits), motion_(model, limits), parents_(model.nodes.size(), -1) {
+CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits, NodeMotion& motion)
+    : model_(model), limits_(limits), motion_(motion), parents_(model.nodes.size(), -1) {
   for (std::size_t node = 0; node < model.nodes.size(); ++node)
     for (const int child : model.nodes[node].children)
       parents_[static_cast<std::size_t>(child)] = static_cast<int>(node);
-  for (const tinygltf::Animation& animation : model.animations)
-    for (const tinygltf::AnimationChannel& channel : animation.channels)
-      channels_[channel.target_node].emplace_back(&animation, &channel);
 }
 
 template <class Value, class Read>
@@ -94,7 +84,7 @@ const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table, co
   if (!isNew) return keys;
   const std::uint64_t maxElements = limits_.maxAccessorElements;
   std::vector<float> times = readScalars(model_, sampler.input, maxElements);
-  checkTimes(times);
+  requireAscending(times);
   std::vector<Value> values = read(model_, sampler.output, maxElements);
   if (times.size() != values.size()) malformed("animation has different numbers of times and values");
   if (sampler.interpolation == "STEP") doubleKeys(times, values);
@@ -102,36 +92,31 @@ const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table, co
   return keys;
 }
 
-/// The first channel of any animation that moves the node counts, separately for translation and rotation.
 CameraTrack CameraReader::trackOf(int node) {
   CameraTrack track;
-  const auto found = channels_.find(node);
-  if (found == channels_.end()) return track;
-  for (const auto& [animation, channel] : found->second) {
-    const tinygltf::AnimationSampler& sampler = animation->samplers[static_cast<std::size_t>(channel->sampler)];
-    if (channel->target_path == "translation" && track.translations.empty()) {
-      const Keys<glm::vec3>& keys = keysOf(positions_, sampler, readTranslations);
-      track.translationTimes = keys.times;
-      track.translations = keys.values;
-    } else if (channel->target_path == "rotation" && track.rotations.empty()) {
-      const Keys<glm::quat>& keys = keysOf(rotations_, sampler, readQuaternions);
-      track.rotationTimes = keys.times;
-      track.rotations = keys.values;
-    }
+  if (const tinygltf::AnimationSampler* sampler = motion_.samplerOf(node, "translation")) {
+    const Keys<glm::vec3>& keys = keysOf(positions_, *sampler, readTranslations);
+    track.translationTimes = keys.times;
+    track.translations = keys.values;
+  }
+  if (const tinygltf::AnimationSampler* sampler = motion_.samplerOf(node, "rotation")) {
+    const Keys<glm::quat>& keys = keysOf(rotations_, *sampler, readQuaternions);
+    track.rotationTimes = keys.times;
+    track.rotations = keys.values;
   }
   return track;
 }
 
 bool CameraReader::hasPlainTrack(int node, const glm::dmat4& worldFromParent) const {
-  if (motion_.moves(node, "scale") || !isRigid(worldFromParent)) return false;
+  if (motion_.samplerOf(node, "scale") != nullptr || !isRigid(worldFromParent)) return false;
   for (int above = parents_[static_cast<std::size_t>(node)]; above >= 0;
        above = parents_[static_cast<std::size_t>(above)])
     if (motion_.moves(above)) return false;
-  const auto found = channels_.find(node);
-  if (found == channels_.end()) return true;
-  return std::none_of(found->second.begin(), found->second.end(), [](const auto& entry) {
-    return entry.first->samplers[static_cast<std::size_t>(entry.second->sampler)].interpolation == "CUBICSPLINE";
-  });
+  const auto isSpline = [&](const char* property) {
+    const tinygltf::AnimationSampler* sampler = motion_.samplerOf(node, property);
+    return sampler != nullptr && sampler->interpolation == "CUBICSPLINE";
+  };
+  return !isSpline("translation") && !isSpline("rotation");
 }
 
 glm::dmat4 CameraReader::poseAt(int node, double seconds) {

@@ -27,8 +27,8 @@ inline constexpr double kSampleRate = 30.0;
 /// kSampleRate, without scale and mirroring.
 class CameraReader {
  public:
-  /// Keeps references; both must outlive the reader.
-  CameraReader(const tinygltf::Model& model, const Limits& limits);
+  /// Keeps references; all must outlive the reader.
+  CameraReader(const tinygltf::Model& model, const Limits& limits, NodeMotion& motion);
 
   /// The camera of a node; nullopt for an orthographic one. Errors: kMalformed (a number out of its range).
   std::optional<Camera> read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode);
@@ -53,9 +53,7 @@ class CameraReader {
 
   const tinygltf::Model& model_;
   const Limits& limits_;
-  /// Channels of all animations by the node that they move, in the document's order.
-  std::map<int, std::vector<std::pair<const tinygltf::Animation*, const tinygltf::AnimationChannel*>>> channels_;
-  NodeMotion motion_;
+  NodeMotion& motion_;
   std::vector<int> parents_;         ///< of each node; -1: none
   std::uint64_t sampledFrames_ = 0;  ///< of all cameras
   KeyTable<glm::vec3> positions_;

@@ -50,8 +50,9 @@ class SceneReader {
         limits_(limits),
         keep_(keep),
         budget_{demandLimit(model, limits)},
-        cameras_(model, limits),
-        pose_(model, limits, seconds) {}
+        motion_(model, limits),
+        cameras_(model, limits, motion_),
+        pose_(model, motion_, seconds) {}
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
@@ -156,34 +157,40 @@ class SceneReader {
   Chain makeChain(const std::vector<ShownMesh>& meshes) {
     Chain chain;
     for (const ShownMesh& shown : meshes) {
-      const std::optional<std::uint32_t> index = meshIndex(shown);
-      if (!index) break;
-      LodLevel level{*index, 0.0F};
+      const std::optional<PosedMesh> mesh = posedMesh(shown);
+      if (!mesh) break;
+      LodLevel level{mesh->index, 0.0F};
       if (!chain.levels.empty()) {
         const std::optional<LodInfo> info = lodInfo(model_.meshes[static_cast<std::size_t>(shown.mesh)]);
-        const auto scale =
-            static_cast<float>(shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode).largestScale() : 1.0);
         level.errorObject =
-            info ? scale * static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
-        if (info && info->measures) level.meanErrorObject = scale * static_cast<float>(info->measures->twoSided.mean);
+            info ? mesh->scale * static_cast<float>(info->errorObject) : std::numeric_limits<float>::infinity();
+        if (info && info->measures)
+          level.meanErrorObject = mesh->scale * static_cast<float>(info->measures->twoSided.mean);
       }
       chain.levels.push_back(level);
     }
     return chain;
   }
 
-  std::optional<std::uint32_t> meshIndex(const ShownMesh& shown) {
-    const auto known = meshIndex_.find(shown);
-    if (known != meshIndex_.end()) return known->second;
+  /// A mesh that was read, and MeshPose::largestScale of its pose.
+  struct PosedMesh {
+    std::uint32_t index;
+    float scale;
+  };
+
+  /// Reads a mesh at its first use; nullopt if it has no triangles.
+  std::optional<PosedMesh> posedMesh(const ShownMesh& shown) {
+    const auto known = meshes_.find(shown);
+    if (known != meshes_.end()) return known->second;
     const detail::MeshPose pose = shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode) : detail::MeshPose{};
     Mesh read = detail::readMesh(model_, shown.mesh, {scene_.materials, budget_, pose});
-    std::optional<std::uint32_t> index;
+    std::optional<PosedMesh> mesh;
     if (!read.primitives.empty()) {
-      index = static_cast<std::uint32_t>(scene_.meshes.size());
+      mesh = {static_cast<std::uint32_t>(scene_.meshes.size()), static_cast<float>(pose.largestScale())};
       scene_.meshes.push_back(std::move(read));
     }
-    meshIndex_.emplace(shown, index);
-    return index;
+    meshes_.emplace(shown, mesh);
+    return mesh;
   }
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
@@ -206,12 +213,13 @@ class SceneReader {
   const Limits& limits_;
   Keep keep_;
   detail::ElementBudget budget_;
+  NodeMotion motion_;
   detail::CameraReader cameras_;
   detail::ScenePose pose_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
   std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
-  std::map<ShownMesh, std::optional<std::uint32_t>> meshIndex_;
+  std::map<ShownMesh, std::optional<PosedMesh>> meshes_;
   std::map<std::vector<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
 };
 

@@ -27,8 +27,8 @@ std::vector<glm::dmat4> inverseBindMatrices(const tinygltf::Model& model, const 
 
 }  // namespace
 
-ScenePose::ScenePose(const tinygltf::Model& model, const Limits& limits, std::optional<double> seconds)
-    : model_(model), limits_(limits), seconds_(seconds), motion_(model, limits) {}
+ScenePose::ScenePose(const tinygltf::Model& model, NodeMotion& motion, std::optional<double> seconds)
+    : model_(model), seconds_(seconds), motion_(motion) {}
 
 glm::dmat4 ScenePose::localTransform(int node) {
   return seconds_ ? motion_.transformAt(node, *seconds_)

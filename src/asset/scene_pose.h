@@ -9,16 +9,15 @@
 
 #include "asset/mesh_pose.h"
 #include "asset/node_motion.h"
-#include "asset/read_limits.h"
 
 namespace jalousie::asset::detail {
 
 /// Where nodes are, and how their meshes are bent.
 class ScenePose {
  public:
-  /// Keeps references; both must outlive this.
+  /// Keeps references; both must outlive this. @param motion  of the document
   /// @param seconds  time of all animations; absent: the pose without animations
-  ScenePose(const tinygltf::Model& model, const Limits& limits, std::optional<double> seconds);
+  ScenePose(const tinygltf::Model& model, NodeMotion& motion, std::optional<double> seconds);
 
   /// parentFromNode. Errors: as NodeMotion::transformAt.
   glm::dmat4 localTransform(int node);
@@ -29,9 +28,8 @@ class ScenePose {
   const std::vector<glm::dmat4>& worldFromNodes();
 
   const tinygltf::Model& model_;
-  const Limits& limits_;
   std::optional<double> seconds_;
-  NodeMotion motion_;
+  NodeMotion& motion_;
   std::vector<glm::dmat4> worldFromNodes_;  ///< made for the first skin
 };
 

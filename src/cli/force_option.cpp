@@ -5,10 +5,9 @@
 
 namespace jalousie::cli {
 
-void addForceOption(CLI::App& command, Replace& replace) {
+void addForceOption(CLI::App& command, Replace& replace, const char* help) {
   command.add_flag_callback(
-      "--force", [&replace] { replace = Replace::kAnything; },
-      "Let an output replace a file of another kind; an input is never replaced");
+      "--force", [&replace] { replace = Replace::kAnything; }, help);
 }
 
 }  // namespace jalousie::cli

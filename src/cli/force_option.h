@@ -10,6 +10,7 @@ class App;
 namespace jalousie::cli {
 
 /// Declares --force on a command; replace must outlive the parse.
-void addForceOption(CLI::App& command, Replace& replace);
+void addForceOption(CLI::App& command, Replace& replace,
+                    const char* help = "Let an output replace a file of another kind; an input is never replaced");
 
 }  // namespace jalousie::cli

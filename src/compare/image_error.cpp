@@ -66,6 +66,17 @@ double ssim(const ImageRgba8& reference, const ImageRgba8& test) {
   return sum / static_cast<double>(windows);
 }
 
+std::optional<double> meanOver(const std::vector<float>& map, const std::vector<std::uint8_t>& covered) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    if (covered[i] == 0) continue;
+    sum += static_cast<double>(map[i]);
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
 double mean(const std::vector<float>& map) {
   double sum = 0.0;
   for (const float value : map)

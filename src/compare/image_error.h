@@ -66,6 +66,10 @@ void flipStrips(const ImageRgba8& reference, const ImageRgba8& test, double pixe
 /// Mean of a map; 0 for an empty one.
 double mean(const std::vector<float>& map);
 
+/// Mean over the pixels that are covered; absent if none is.
+/// @param covered  0 or 1 for each pixel of the map; empty: none is
+std::optional<double> meanOver(const std::vector<float>& map, const std::vector<std::uint8_t>& covered);
+
 /// A map in [0, 1] in the colours of matplotlib's magma: black, violet, orange, pale yellow.
 ImageRgba8 errorPicture(const std::vector<float>& map, std::uint32_t width, std::uint32_t height);
 

@@ -67,22 +67,6 @@ const FlipImage& ReferenceFrames::flip(std::uint32_t frame) {
   return result;
 }
 
-namespace {
-
-/// Absent if no pixel is covered.
-std::optional<double> meanOver(const std::vector<float>& map, const std::vector<std::uint8_t>& covered) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < covered.size(); ++i) {
-    if (covered[i] == 0) continue;
-    sum += static_cast<double>(map[i]);
-    ++count;
-  }
-  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
-}
-
-}  // namespace
-
 ImageError ReferenceFrames::errorOf(const ImageRgba8& picture, const FlipImage& seen, std::uint32_t frame,
                                     const std::vector<std::uint8_t>& covered) {
   const ImageRgba8& reference = image(frame);

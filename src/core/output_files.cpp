@@ -79,8 +79,7 @@ void requireReplaceable(const NamedFile& output) {
   if (existing == output.kind) return;
   throw Error(ErrorCode::kUsage,
               fmt::format("{} exists here and would be replaced by {} ({}); name another file, or add --force",
-                          existing == OutputKind::kAny ? "another kind of file" : nameOf(existing), nameOf(output.kind),
-                          output.option),
+                          nameOf(existing), nameOf(output.kind), output.option),
               output.path);
 }
 

@@ -13,7 +13,7 @@
 namespace jalousie {
 namespace {
 
-/// Collects which keys a document has at its top level. Goes on while `parse` needs more.
+/// Collects which keys a document has at its top level, and ends the reading when they say which kind it is.
 class TopLevelKeys : public nlohmann::json_sax<nlohmann::json> {
  public:
   bool isObject = false;
@@ -89,8 +89,8 @@ bool startsLikeRule(std::string_view text) {
 }  // namespace
 
 const char* nameOf(OutputKind kind) {
-  constexpr std::array kNames = {"a file",        "a PNG picture", "a JSON report",       "a glTF scene",
-                                 "a camera path", "a page",        "a file of make rules"};
+  constexpr std::array kNames = {"another kind of file", "a PNG picture", "a JSON report",       "a glTF scene",
+                                 "a camera path",        "a page",        "a file of make rules"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

@@ -16,7 +16,7 @@ enum class OutputKind {
   kRules,       ///< dependencies for make
 };
 
-/// "a PNG picture", for messages.
+/// "a PNG picture", for messages; "another kind of file" of kAny.
 const char* nameOf(OutputKind kind);
 
 /// The kind of a file; kAny if it is none of the others or cannot be read.

@@ -165,18 +165,23 @@ TEST(SceneFile, AttributesOfDifferentLengthAreMalformed) {
   EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kMalformed);
 }
 
+/// A texture with a picture of its own.
+void addTexture(tinygltf::Model& model, const std::vector<std::byte>& encoded) {
+  tinygltf::Image image;
+  image.as_is = true;
+  const auto* first = reinterpret_cast<const unsigned char*>(encoded.data());
+  image.image.assign(first, first + encoded.size());
+  tinygltf::Texture texture;
+  texture.source = static_cast<int>(model.images.size());
+  model.images.push_back(image);
+  model.textures.push_back(texture);
+}
+
 TEST(SceneFile, MaterialsAndTheirImages) {
   tinygltf::Model model = oneTriangle();
   const std::vector<std::byte> png = encodePng({1, 1, {10, 20, 30, 255}});
   for (int i = 0; i < 2; ++i) {
-    tinygltf::Image image;
-    image.as_is = true;
-    const auto* first = reinterpret_cast<const unsigned char*>(png.data());
-    image.image.assign(first, first + png.size());
-    model.images.push_back(image);
-    tinygltf::Texture texture;
-    texture.source = i;
-    model.textures.push_back(texture);
+    addTexture(model, png);
   }
   tinygltf::Material material;
   material.alphaMode = "MASK";
@@ -202,21 +207,14 @@ TEST(SceneFile, MaterialsAndTheirImages) {
 tinygltf::Model threeTextures() {
   tinygltf::Model model = oneTriangle();
   const std::vector<std::byte> png = encodePng({1, 1, {10, 20, 30, 255}});
-  tinygltf::Image image;
-  image.as_is = true;
-  const auto* first = reinterpret_cast<const unsigned char*>(png.data());
-  image.image.assign(first, first + png.size());
-  model.images.push_back(image);
+  addTexture(model, png);
   tinygltf::Sampler sampler;
   sampler.wrapS = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
   sampler.wrapT = TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_NEAREST;
   sampler.minFilter = TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST;
   model.samplers.push_back(sampler);
-  tinygltf::Texture texture;
-  texture.source = 0;
-  texture.sampler = 0;
-  model.textures.push_back(texture);
+  model.textures[0].sampler = 0;
   tinygltf::Material material;
   material.pbrMetallicRoughness.baseColorTexture.index = 0;
   material.pbrMetallicRoughness.baseColorTexture.texCoord = 1;
@@ -292,14 +290,7 @@ TEST(SceneFile, AllPicturesTogetherHaveALimit) {
   tinygltf::Model model = oneTriangle();
   const std::vector<std::byte> png = encodePng({4, 4, std::vector<std::uint8_t>(64, 200)});
   for (int i = 0; i < 3; ++i) {
-    tinygltf::Image image;
-    image.as_is = true;
-    const auto* first = reinterpret_cast<const unsigned char*>(png.data());
-    image.image.assign(first, first + png.size());
-    model.images.push_back(image);
-    tinygltf::Texture texture;
-    texture.source = i;
-    model.textures.push_back(texture);
+    addTexture(model, png);
     tinygltf::Material material;
     material.pbrMetallicRoughness.baseColorTexture.index = i;
     model.materials.push_back(material);

@@ -63,36 +63,35 @@ const costs = new Map([
   ['time', { noun: timeName, of: (c) => c.frame_ratio.median }],
 ]);
 
-/// The cheapest configuration that loses nothing and whose worst frame is within the limit; null if there is none.
-function recommended(limit, cost) {
-  const fit = configurations.filter((c) => c.frames > 0 && !loses(c) && largestFlip(c) != null && largestFlip(c) <= limit);
-  return fit.length === 0 ? null : fit.reduce((a, b) => (cost.of(b) < cost.of(a) ? b : a));
-}
+/// The configurations that lose nothing and whose worst frame is within the limit.
+const within = (limit) =>
+  configurations.filter((c) => c.frames > 0 && !loses(c) && largestFlip(c) != null && largestFlip(c) <= limit);
+/// The cheapest of some configurations; null if there are none.
+const cheapest = (some, cost) =>
+  (some.length === 0 ? null : some.reduce((a, b) => (cost.of(b) < cost.of(a) ? b : a)));
 
 /// Index of the configuration whose pictures are shown first: the recommended one, or the cheapest rival of the
 /// baseline, of those that lose nothing if there are any.
 function subject() {
   const cost = costs.get('triangles');
-  const pick = compared ? recommended(firstLimit(), cost) : null;
+  const pick = compared ? cheapest(within(firstLimit()), cost) : null;
   if (pick && pick !== base) return configurations.indexOf(pick);
   const others = configurations.filter((c) => c !== base && c.frames > 0);
   const honest = others.filter((c) => !loses(c));
-  const rivals = honest.length > 0 ? honest : others;
-  return rivals.length === 0 ? baseline
-    : configurations.indexOf(rivals.reduce((a, b) => (cost.of(b) < cost.of(a) ? b : a)));
+  return configurations.indexOf(cheapest(honest, cost) ?? cheapest(others, cost) ?? base);
 }
 
 function leadSentence(limit, cost) {
   if (!measured) return ['Nothing has been measured yet.'];
   if (!compared) return ['Pictures were not compared, so no configuration is recommended.'];
   const start = `Within a ${flipName} of ${small(limit)} in the worst frame, `;
-  const c = recommended(limit, cost);
+  const fit = within(limit);
+  const c = cheapest(fit, cost);
   if (!c) return [start, 'no configuration shows every visible object.'];
   const share = cost.of(c);
-  const rivals = configurations.filter((other) => other !== c && !loses(other) && largestFlip(other) <= limit);
   const rest = c === base
-    ? [rivals.length > 0 ? 'nothing is cheaper than ' : 'only ', named(c.name), ' (the baseline)',
-      rivals.length > 0 ? '' : ' is left', '.']
+    ? [fit.length > 1 ? 'nothing is cheaper than ' : 'only ', named(c.name), ' (the baseline)',
+      fit.length > 1 ? '' : ' is left', '.']
     : [named(c.name), ` is the cheapest: ${percent(share)} of the ${cost.noun} of `, named(base.name),
       ` (the baseline), with ${small(largestFlip(c))} instead of ${small(largestFlip(base))}.`];
   return [start, ...rest];
