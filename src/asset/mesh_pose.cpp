@@ -102,12 +102,12 @@ double MeshPose::largestScale() const {
   return largest;
 }
 
-bool isPosed(const tinygltf::Model& model, int node) {
+ShownMesh shownMesh(const tinygltf::Model& model, int node) {
   const tinygltf::Node& source = model.nodes[static_cast<std::size_t>(node)];
-  if (source.mesh < 0) return false;
   const std::vector<tinygltf::Primitive>& primitives = model.meshes[static_cast<std::size_t>(source.mesh)].primitives;
-  return source.skin >= 0 || std::any_of(primitives.begin(), primitives.end(),
-                                         [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
+  const bool isPosed = source.skin >= 0 || std::any_of(primitives.begin(), primitives.end(),
+                                                       [](const tinygltf::Primitive& p) { return !p.targets.empty(); });
+  return {source.mesh, isPosed ? node : -1};
 }
 
 void applyPose(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const MeshPose& pose,

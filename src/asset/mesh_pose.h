@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <utility>
 #include <vector>
 
 #include "asset/accessor_budget.h"
@@ -27,8 +28,17 @@ struct PosedVertices {
   std::vector<glm::vec3>& normals;  ///< empty if the primitive has none
 };
 
-/// Whether a node's mesh has a pose of its own: it has a skin or morph targets.
-bool isPosed(const tinygltf::Model& model, int node);
+/// A mesh as a node shows it: alike for all nodes that do not bend it.
+struct ShownMesh {
+  int mesh;
+  int posedNode;  ///< the node whose pose it has, by a skin or morph targets; -1: none
+
+  friend bool operator<(const ShownMesh& a, const ShownMesh& b) {
+    return std::pair(a.mesh, a.posedNode) < std::pair(b.mesh, b.posedNode);
+  }
+};
+/// @pre the node has a mesh
+ShownMesh shownMesh(const tinygltf::Model& model, int node);
 
 /// Moves the vertices of a primitive: morph targets first, then the skin (glTF 2.0, 3.7.2.2 and 3.7.3.3). Weights of
 /// joints are taken as they are.

@@ -73,11 +73,13 @@ void requireAscending(const std::vector<float>& times) {
 }
 
 NodeMotion::NodeMotion(const tinygltf::Model& model, const Limits& limits) : model_(model), limits_(limits) {
-  for (const tinygltf::Animation& animation : model.animations)
-    for (const tinygltf::AnimationChannel& channel : animation.channels)
-      if (channel.target_node >= 0)
-        samplers_.try_emplace({channel.target_node, channel.target_path},
-                              &animation.samplers[static_cast<std::size_t>(channel.sampler)]);
+  for (const tinygltf::Animation& animation : model.animations) {
+    for (const tinygltf::AnimationChannel& channel : animation.channels) {
+      if (channel.target_node < 0) continue;
+      samplers_.try_emplace({channel.target_node, channel.target_path},
+                            &animation.samplers[static_cast<std::size_t>(channel.sampler)]);
+    }
+  }
 }
 
 const tinygltf::AnimationSampler* NodeMotion::samplerOf(int node, const std::string& property) const {

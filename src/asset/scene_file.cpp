@@ -24,6 +24,8 @@
 namespace jalousie::asset {
 namespace {
 
+using detail::ShownMesh;
+using detail::shownMesh;
 using tinygltf::Model;
 
 /// Primitives may share their accessors, and each is read for itself: what they may ask for follows the file's size.
@@ -118,22 +120,11 @@ class SceneReader {
     if (chain) addInstances(visit.node, *chain, node.skin >= 0 ? glm::dmat4(1.0) : worldFromNode);
   }
 
-  /// A mesh as a node shows it: alike for all nodes that do not bend it.
-  struct ShownMesh {
-    int mesh;
-    int posedNode;  ///< the node whose pose it has; -1: none
-
-    auto operator<=>(const ShownMesh&) const = default;
-  };
-  ShownMesh shownMesh(int node) const {
-    return {model_.nodes[static_cast<std::size_t>(node)].mesh, detail::isPosed(model_, node) ? node : -1};
-  }
-
   /// Index of the node's chain, made if new; nullopt if LOD 0 has no triangles.
   std::optional<std::uint32_t> chainOf(int node) {
-    std::vector<ShownMesh> key = {shownMesh(node)};
+    std::vector<ShownMesh> key = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(lower));
+      key.push_back(shownMesh(model_, lower));
     const auto known = chainIndex_.find(key);
     if (known != chainIndex_.end()) return known->second;
 

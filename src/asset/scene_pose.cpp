@@ -58,7 +58,6 @@ const std::vector<glm::dmat4>& ScenePose::worldFromNodes() {
 
 MeshPose ScenePose::meshPose(int node) {
   MeshPose pose;
-  if (!isPosed(model_, node)) return pose;
   const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
   pose.weights = seconds_ ? motion_.weightsAt(node, *seconds_) : motion_.restWeights(node);
   if (source.skin < 0) return pose;

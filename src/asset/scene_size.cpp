@@ -23,6 +23,8 @@
 namespace jalousie::asset {
 namespace {
 
+using detail::ShownMesh;
+using detail::shownMesh;
 using tinygltf::Model;
 
 struct MeshSize {
@@ -81,21 +83,15 @@ class Counter {
     countChain(node);
     const std::uint64_t instances = std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
     size_.instances += instances;
-    const auto finest = meshes_.find(shownMesh(node));
+    const auto finest = meshes_.find(shownMesh(model_, node));
     size_.finestTriangles += saturatingProduct(instances, finest->second.indices / 3);
-  }
-
-  /// A mesh and the node that bends it; -1: none.
-  using ShownMesh = std::pair<int, int>;
-  ShownMesh shownMesh(int node) const {
-    return {model_.nodes[static_cast<std::size_t>(node)].mesh, detail::isPosed(model_, node) ? node : -1};
   }
 
   /// Chains of equal meshes are one.
   void countChain(int node) {
-    std::vector<ShownMesh> key = {shownMesh(node)};
+    std::vector<ShownMesh> key = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(lower));
+      key.push_back(shownMesh(model_, lower));
     const ShownMesh finest = key.front();
     MeshSize coarsest;
     for (const ShownMesh& mesh : key)
@@ -114,7 +110,7 @@ class Counter {
     const auto known = meshes_.find(mesh);
     if (known != meshes_.end()) return known->second;
     MeshSize size;
-    const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh.first)];
+    const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh.mesh)];
     const std::size_t cells = cellCount(lodCells(model_, source));
     for (const tinygltf::Primitive& primitive : source.primitives) {
       const auto position = primitive.attributes.find("POSITION");
