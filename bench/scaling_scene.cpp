@@ -64,7 +64,7 @@ gpu::CullView scalingView(const scene::SceneData& scene, std::uint32_t mapLevels
   view.mapLevels = mapLevels;
   view.cullThreshold = 1.0F;
   view.maxTessellation = 20;
-  view.focalPixels = scene::focalPixels(camera, kScalingHeight);
+  view.focalPixels = scene::focalPixels(camera, {kScalingWidth, kScalingHeight});
   view.tau = 1.0F;
   return view;
 }

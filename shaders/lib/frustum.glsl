@@ -77,6 +77,14 @@ float distanceToBox(vec3 point, vec3 lower, vec3 upper) {
   return length(max(max(lower - point, point - upper), vec3(0.0)));
 }
 
+/// Distance from the eye to the closest point of a box, 0 inside; of an orthographic camera, from its plane along its
+/// direction. @param eyeWorld, forwardWorld  as in CullView
+float distanceFromEye(vec4 eyeWorld, vec4 forwardWorld, vec3 lower, vec3 upper) {
+  if (forwardWorld.w == 0.0) return distanceToBox(eyeWorld.xyz, lower, upper);
+  vec3 closest = min(forwardWorld.xyz * (lower - eyeWorld.xyz), forwardWorld.xyz * (upper - eyeWorld.xyz));
+  return max(closest.x + closest.y + closest.z, 0.0);
+}
+
 /// Upper bound of how much a transform stretches a length: exact where the axes stay orthogonal, and never too small
 /// under shear (the largest row sum of the Gram matrix bounds its largest eigenvalue).
 float largestScale(Transform t) {

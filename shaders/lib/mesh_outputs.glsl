@@ -54,7 +54,9 @@ void emitVertex(uint entry, MeshVertex vertex) {
   fragment.positionWorld = transformPoint(transform, vertex.position);
 #ifdef JAL_OPACITY
   // A coarser level may lie in front of LOD 0. Move it away from the eye along the view ray: it covers the same pixels.
-  fragment.positionWorld += drawView.depthGuard * (fragment.positionWorld - drawView.cameraWorld.xyz);
+  vec3 ray = drawView.forwardWorld.w == 0.0 ? fragment.positionWorld - drawView.cameraWorld.xyz
+                                            : drawView.forwardWorld.xyz;
+  fragment.positionWorld += drawView.depthGuard * ray;
 #endif
 #ifdef JAL_SHADED
   fragment.normalWorld = transformNormal(transform, vertex.normal);

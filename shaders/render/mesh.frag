@@ -59,7 +59,8 @@ void main() {
   normal *= side;
   detailed *= side;
 #endif
-  vec3 toEye = normalize(drawView.cameraWorld.xyz - fragment.positionWorld);
+  vec3 toEye = drawView.forwardWorld.w == 0.0 ? normalize(drawView.cameraWorld.xyz - fragment.positionWorld)
+                                              : -drawView.forwardWorld.xyz;
   vec3 color;
   if (!isShadedView(drawView.view))
     color = shadeFlat(fragment.tint, normal, toEye);

@@ -11,6 +11,7 @@ JAL_SHARED_BEGIN
 struct CullView {
   mat4 clipFromWorld;  // reversed depth: near plane at z = w, far plane at z = 0
   vec4 cameraWorld;    // xyz position, w distance of the near plane
+  vec4 forwardWorld;   // xyz unit vector, w 1 for an orthographic camera, else 0
   uint viewportWidth;  // pixels
   uint viewportHeight;
   uint objectCount;
@@ -20,7 +21,7 @@ struct CullView {
   float occluderDistance;  // world units; nearer objects are occluders (thesis 3.2)
   float cullThreshold;     // opacity from which a texel occludes, (0, 1]; 1 is conservative
   uint maxTessellation;    // finest level of the patch path, 1..kMaxTessellationLevel
-  float focalPixels;       // viewportHeight / (2 tan(fovY / 2))
+  float focalPixels;       // viewportHeight / (2 tan(fovY / 2)); orthographic: pixels per world unit
   float tau;               // screen-space error that kTraitFollowsError allows, pixels
   float occluderTau;       // the same for the levels drawn into the occlusion map
   float minPixels;         // objects whose rectangle has a smaller area are not drawn; 0: none
@@ -40,7 +41,7 @@ struct CullView {
   uint reserved0;
   uint reserved1;
 };
-JAL_ASSERT_SIZE(CullView, 192)
+JAL_ASSERT_SIZE(CullView, 208)
 
 /// What moves the price of a triangle towards a budget from frame to frame (adjust_price.comp).
 struct PriceState {
@@ -92,22 +93,24 @@ const uint kViewGhost = 101u;
 /// Drawing camera; std140 uniform block.
 struct DrawView {
   mat4 clipFromWorld;
-  vec4 cameraWorld;  // xyz position
-  vec4 lightWorld;   // xyz unit vector towards the key light
-  uint view;         // kView...
-  uint patches;      // 1: draws tessellated patches
-  uint mapLevel;     // level shown by kViewOcclusion
-  float phongAlpha;  // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
+  vec4 cameraWorld;   // xyz position
+  vec4 forwardWorld;  // as in CullView
+  vec4 lightWorld;    // xyz unit vector towards the key light
+  uint view;          // kView...
+  uint patches;       // 1: draws tessellated patches
+  uint mapLevel;      // level shown by kViewOcclusion
+  float phongAlpha;   // blend towards the projected surface; 3/4 in Boubekeur and Alexa 2008
   uint viewportWidth;
   uint viewportHeight;
   uint maxTessellation;  // as in CullView; scales the colours of kViewLod
-  float depthGuard;      // share of its distance by which the occlusion pass moves a surface away from the eye
+  float depthGuard;      // share of its distance by which the occlusion pass moves a surface away from the eye; world
+                         // units for an orthographic camera
   uint fadeFrames;       // as in CullView
   uint reserved0;
   uint reserved1;
   uint reserved2;
 };
-JAL_ASSERT_SIZE(DrawView, 144)
+JAL_ASSERT_SIZE(DrawView, 160)
 
 // Verdicts. kVerdictOutside, kVerdictOccluded and kVerdictSmall are not drawn, all others are.
 const uint kVerdictOutside = 0u;   // outside the frustum

@@ -29,7 +29,8 @@ uint classify(BoxOnScreen box, float importance) {
   vec2 size = box.rect.zw - box.rect.xy;
   if (!box.crossesNear && size.x * size.y * importance < cullView.minPixels) return kVerdictSmall;
   if (hasTrait(kTraitUsesMap) &&
-      distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld) < cullView.occluderDistance)
+      distanceFromEye(cullView.cameraWorld, cullView.forwardWorld, box.minWorld, box.maxWorld) <
+          cullView.occluderDistance)
     return kVerdictOccluder;
   return box.crossesNear ? kVerdictNear : kVerdictPending;
 }
@@ -115,7 +116,9 @@ uint coverBeforeTest(History history, uint verdict, uint id) {
 /// @param rect  pixels, clipped; 0 if there is no rectangle
 ScreenBox screenBoxOf(BoxOnScreen box, vec4 rect, float scale, float importance) {
   float nearest = distanceToBox(cullView.cameraWorld.xyz, box.minWorld, box.maxWorld);
-  float pixelsPerUnit = projectedScale(scale, cullView.focalPixels, nearest, cullView.cameraWorld.w);
+  float pixelsPerUnit = cullView.forwardWorld.w == 0.0
+                            ? projectedScale(scale, cullView.focalPixels, nearest, cullView.cameraWorld.w)
+                            : scale * cullView.focalPixels;
   return ScreenBox(rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, cullView.tau / importance,
                    kCoverOpen);
 }

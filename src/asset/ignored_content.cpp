@@ -82,11 +82,7 @@ class Counter {
     countExtensions(mesh.extensions);
   }
 
-  void countNode(const tinygltf::Node& node) {
-    countExtensions(node.extensions);
-    countIf(node.camera >= 0 && model_.cameras[static_cast<std::size_t>(node.camera)].type == "orthographic",
-            "orthographic cameras");
-  }
+  void countNode(const tinygltf::Node& node) { countExtensions(node.extensions); }
 
   /// Channels that move something else than a camera.
   void countAnimation(const tinygltf::Animation& animation) {

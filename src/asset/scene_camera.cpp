@@ -1,4 +1,4 @@
-// Perspective cameras and their tracks.
+// Cameras and their tracks.
 #include "asset/scene_camera.h"
 
 #include <fmt/format.h>
@@ -65,6 +65,19 @@ glm::dmat4 rigid(const glm::dmat4& transform) {
   glm::dmat4 result(glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), transform[3]);
   if (!isFinite(result)) malformed("a camera's transform has no inverse");
   return result;
+}
+
+void readLens(const tinygltf::Camera& source, Camera& camera) {
+  if (source.type == "perspective") {
+    camera.fovY = static_cast<float>(source.perspective.yfov);
+    camera.zNear = static_cast<float>(source.perspective.znear);
+    if (source.perspective.zfar > 0.0) camera.zFar = static_cast<float>(source.perspective.zfar);
+    return;
+  }
+  const tinygltf::OrthographicCamera& lens = source.orthographic;
+  camera.halfSize = glm::abs(glm::vec2(lens.xmag, lens.ymag));
+  camera.zNear = static_cast<float>(lens.znear);
+  camera.zFar = static_cast<float>(lens.zfar);
 }
 
 }  // namespace
@@ -156,18 +169,13 @@ CameraTrack CameraReader::sampledTrack(int node) {
   return track;
 }
 
-std::optional<Camera> CameraReader::read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode) {
+Camera CameraReader::read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode) {
   const int index = model_.nodes[static_cast<std::size_t>(node)].camera;
   const tinygltf::Camera& source = model_.cameras[static_cast<std::size_t>(index)];
   validateLens(source, static_cast<std::size_t>(index));
-  if (source.type != "perspective") return std::nullopt;
-  const tinygltf::PerspectiveCamera& lens = source.perspective;
-
   Camera camera;
   camera.name = source.name.empty() ? model_.nodes[static_cast<std::size_t>(node)].name : source.name;
-  camera.fovY = static_cast<float>(lens.yfov);
-  camera.zNear = static_cast<float>(lens.znear);
-  if (lens.zfar > 0.0) camera.zFar = static_cast<float>(lens.zfar);
+  readLens(source, camera);
   camera.worldFromCamera = glm::mat4(isRigid(worldFromNode) ? worldFromNode : rigid(worldFromNode));
   if (hasPlainTrack(node, worldFromParent)) {
     camera.worldFromParent = glm::mat4(worldFromParent);

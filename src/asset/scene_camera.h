@@ -5,7 +5,6 @@
 
 #include <glm/glm.hpp>
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -30,8 +29,8 @@ class CameraReader {
   /// Keeps references; all must outlive the reader.
   CameraReader(const tinygltf::Model& model, const Limits& limits, NodeMotion& motion);
 
-  /// The camera of a node; nullopt for an orthographic one. Errors: kMalformed (a number out of its range).
-  std::optional<Camera> read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode);
+  /// The camera of a node. Errors: kMalformed (a number out of its range).
+  Camera read(int node, const glm::dmat4& worldFromParent, const glm::dmat4& worldFromNode);
 
  private:
   template <class Value>

@@ -110,10 +110,7 @@ class SceneReader {
     const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
     if (!isFinite(worldFromNode))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
-    if (node.camera >= 0) {
-      auto camera = cameras_.read(visit.node, visit.worldFromParent, worldFromNode);
-      if (camera) scene_.cameras.push_back(std::move(*camera));
-    }
+    if (node.camera >= 0) scene_.cameras.push_back(cameras_.read(visit.node, visit.worldFromParent, worldFromNode));
     if (node.mesh < 0) return;
     const std::optional<std::uint32_t> chain = chainOf(visit.node);
     // The vertices of a skin are placed in the world by its joints; the node's own transform has no effect.

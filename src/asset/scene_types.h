@@ -115,15 +115,16 @@ struct CameraTrack {
   SharedVector<glm::quat> rotations;
 };
 
-/// Perspective camera looking along -z of its node, y up.
+/// Camera looking along -z of its node, y up.
 struct Camera {
   std::string name;
-  float fovY = 0.8F;                ///< radians
-  float zNear = 0.1F;               ///< world units
-  std::optional<float> zFar;        ///< infinite if absent
-  glm::mat4 worldFromCamera{1.0F};  ///< rest pose
-  CameraTrack track;                ///< of the camera's node, in its parent's frame; empty if not animated
-  glm::mat4 worldFromParent{1.0F};  ///< apply to the track's poses
+  float fovY = 0.8F;                  ///< radians; of a perspective camera
+  std::optional<glm::vec2> halfSize;  ///< orthographic: half the width and height of what it shows, world units, > 0
+  float zNear = 0.1F;                 ///< world units; > 0, or >= 0 for an orthographic camera
+  std::optional<float> zFar;          ///< infinite if absent; an orthographic camera has one
+  glm::mat4 worldFromCamera{1.0F};    ///< rest pose
+  CameraTrack track;                  ///< of the camera's node, in its parent's frame; empty if not animated
+  glm::mat4 worldFromParent{1.0F};    ///< apply to the track's poses
 };
 
 /// Numbers of things by their names.
@@ -135,7 +136,7 @@ struct SceneFile {
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;
   std::vector<Instance> instances;  ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
-  std::vector<Camera> cameras;      ///< perspective cameras in the scene, in order of traversal
+  std::vector<Camera> cameras;      ///< cameras in the scene, in order of traversal
   ContentCounts ignored;            ///< what the document holds that is not drawn
 };
 

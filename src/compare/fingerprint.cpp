@@ -59,6 +59,7 @@ void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& pa
     hash.values(image.pixels);
   }
   hash.value(path.fovY);
+  hash.value(path.halfSize.value_or(glm::vec2(0.0F)));
   hash.value(path.zNear);
   hash.value(path.zFar.value_or(0.0F));
   hash.value(path.worldFromCamera);

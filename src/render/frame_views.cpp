@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scene/patch_base.h"
+#include "visibility/classify_reference.h"
 
 namespace jalousie::render {
 namespace {
@@ -16,19 +17,22 @@ float aspectOf(const ViewSetting& setting) {
   return static_cast<float>(setting.width) / static_cast<float>(setting.height);
 }
 
+glm::vec4 forwardOf(const scene::Camera& camera) {
+  return {camera.forwardWorld(), camera.isOrthographic() ? 1.0F : 0.0F};
+}
+
 }  // namespace
 
-float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorld) {
+float automaticOccluderDistance(const gpu::CullView& view, const Aabb& sceneWorld) {
   if (sceneWorld.empty()) return 0.0F;
-  const glm::vec3 outside = glm::max(glm::max(sceneWorld.min - eyeWorld, eyeWorld - sceneWorld.max), glm::vec3(0.0F));
-  return glm::length(outside) + kOccluderDepth * sceneWorld.diagonal();
+  return visibility::distanceFromEye(view, sceneWorld) + kOccluderDepth * sceneWorld.diagonal();
 }
 
 gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& camera, const ViewSetting& setting) {
-  const glm::vec3 eye = camera.positionWorld();
   gpu::CullView view{};
   view.clipFromWorld = scene::clipFromWorld(camera, aspectOf(setting));
-  view.cameraWorld = glm::vec4(eye, camera.zNear);
+  view.cameraWorld = glm::vec4(camera.positionWorld(), camera.zNear);
+  view.forwardWorld = forwardOf(camera);
   view.viewportWidth = setting.width;
   view.viewportHeight = setting.height;
   view.objectCount = setting.objectCount;
@@ -37,10 +41,10 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.traits = traitsOf(options);
   view.analyse = wantsLv(options) ? 1 : 0;
   view.mapLevels = setting.mapLevels;
-  view.occluderDistance = options.occluderDistance.value_or(automaticOccluderDistance(eye, setting.sceneWorld));
+  view.occluderDistance = options.occluderDistance.value_or(automaticOccluderDistance(view, setting.sceneWorld));
   view.cullThreshold = options.cullThreshold;
   view.maxTessellation = std::min(options.maxTessellation, setting.tessellationLimit);
-  view.focalPixels = scene::focalPixels(camera, setting.height);
+  view.focalPixels = scene::focalPixels(camera, {setting.width, setting.height});
   view.tau = options.tau;
   view.occluderTau = options.occluderTau.value_or(rowOf(options.cullMode).occluderTau);
   view.minPixels = options.minPixels;
@@ -59,6 +63,7 @@ gpu::DrawView makeDrawView(const FrameOptions& options, const scene::Camera& cam
   gpu::DrawView view{};
   view.clipFromWorld = scene::clipFromWorld(camera, aspectOf(setting));
   view.cameraWorld = glm::vec4(camera.positionWorld(), 1.0F);
+  view.forwardWorld = forwardOf(camera);
   view.lightWorld = glm::vec4(glm::normalize(glm::vec3(0.35F, 1.0F, 0.45F)), 0.0F);
   view.view = static_cast<gpu::uint>(options.view);
   view.patches = rowOf(options.detail).patches ? 1 : 0;

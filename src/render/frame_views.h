@@ -27,8 +27,8 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
 gpu::DrawView makeDrawView(const FrameOptions& options, const scene::Camera& camera, const ViewSetting& setting,
                            const gpu::CullView& cull);
 
-/// Distance to the scene's box plus kOccluderDepth of its diagonal: the front layer of objects, from outside and
-/// inside. World units.
-float automaticOccluderDistance(const glm::vec3& eyeWorld, const Aabb& sceneWorld);
+/// Distance from the eye to the scene's box plus kOccluderDepth of its diagonal: the front layer of objects, from
+/// outside and inside. World units. @param view  cameraWorld and forwardWorld count
+float automaticOccluderDistance(const gpu::CullView& view, const Aabb& sceneWorld);
 
 }  // namespace jalousie::render

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <span>
 
+#include "core/check.h"
 #include "core/error.h"
 
 namespace jalousie::scene {
@@ -36,7 +37,29 @@ float nearPlaneFor(const Aabb& sceneWorld) {
 
 }  // namespace
 
+float halfHeight(const Camera& camera, float aspect) {
+  JAL_CHECK(camera.isOrthographic());
+  return std::max(camera.halfSize->y, camera.halfSize->x / aspect);
+}
+
+namespace {
+
+glm::mat4 orthographic(const Camera& camera, float aspect) {
+  const float half = halfHeight(camera, aspect);
+  const float depth = *camera.zFar - camera.zNear;
+  glm::mat4 clipFromCamera(0.0F);
+  clipFromCamera[0][0] = 1.0F / (half * aspect);
+  clipFromCamera[1][1] = 1.0F / half;
+  clipFromCamera[2][2] = 1.0F / depth;
+  clipFromCamera[3][2] = *camera.zFar / depth;
+  clipFromCamera[3][3] = 1.0F;
+  return clipFromCamera;
+}
+
+}  // namespace
+
 glm::mat4 clipFromWorld(const Camera& camera, float aspect) {
+  if (camera.isOrthographic()) return orthographic(camera, aspect) * glm::inverse(camera.worldFromCamera);
   const float focal = 1.0F / std::tan(0.5F * camera.fovY);
   glm::mat4 clipFromCamera(0.0F);
   clipFromCamera[0][0] = focal / aspect;
@@ -52,8 +75,10 @@ glm::mat4 clipFromWorld(const Camera& camera, float aspect) {
   return clipFromCamera * glm::inverse(camera.worldFromCamera);
 }
 
-float focalPixels(const Camera& camera, std::uint32_t viewportHeight) {
-  return static_cast<float>(viewportHeight) / (2.0F * std::tan(0.5F * camera.fovY));
+float focalPixels(const Camera& camera, const glm::uvec2& viewport) {
+  const glm::vec2 size(viewport);
+  return size.y /
+         (2.0F * (camera.isOrthographic() ? halfHeight(camera, size.x / size.y) : std::tan(0.5F * camera.fovY)));
 }
 
 Camera lookAt(const glm::vec3& eye, const glm::vec3& target, const Aabb& sceneWorld) {
@@ -95,6 +120,7 @@ Camera frameBox(const Aabb& sceneWorld, float aspect) {
 Camera cameraAtFrame(const asset::Camera& recorded, float frame) {
   Camera camera;
   camera.fovY = recorded.fovY;
+  camera.halfSize = recorded.halfSize;
   camera.zNear = recorded.zNear;
   camera.zFar = recorded.zFar;
   camera.worldFromCamera = recorded.worldFromCamera;

@@ -13,21 +13,31 @@ namespace jalousie::scene {
 /// Frames per second of camera paths: frame k is the pose at k / kPathRate seconds.
 inline constexpr float kPathRate = 30.0F;
 
-/// Perspective camera: looks along -z of its frame, y up.
+/// Looks along -z of its frame, y up.
 struct Camera {
-  glm::mat4 worldFromCamera{1.0F};  ///< rigid
-  float fovY = 0.8F;                ///< radians
-  float zNear = 0.1F;               ///< world units, > 0
-  std::optional<float> zFar;        ///< infinite if absent
+  glm::mat4 worldFromCamera{1.0F};    ///< rigid
+  float fovY = 0.8F;                  ///< radians; of a perspective camera
+  std::optional<glm::vec2> halfSize;  ///< orthographic: half the width and height of what it shows, world units, > 0
+  float zNear = 0.1F;                 ///< world units; > 0, or >= 0 for an orthographic camera
+  std::optional<float> zFar;          ///< infinite if absent; an orthographic camera has one
 
+  bool isOrthographic() const { return halfSize.has_value(); }
   glm::vec3 positionWorld() const { return glm::vec3(worldFromCamera[3]); }
+  /// Unit vector.
+  glm::vec3 forwardWorld() const { return -glm::vec3(worldFromCamera[2]); }
 };
+
+/// Half the height of what an orthographic camera shows, world units. If the picture has another shape than the camera,
+/// the camera's rectangle fits into it, and the picture shows more. @param aspect  width / height   @pre
+/// camera.isOrthographic()
+float halfHeight(const Camera& camera, float aspect);
 
 /// Reversed depth for GL_ZERO_TO_ONE: the near plane maps to z = w, the far plane (or infinity) to z = 0.
 glm::mat4 clipFromWorld(const Camera& camera, float aspect);
 
-/// Pixels per unit of tangent: viewportHeight / (2 tan(fovY / 2)).
-float focalPixels(const Camera& camera, std::uint32_t viewportHeight);
+/// Pixels per unit of tangent, viewportHeight / (2 tan(fovY / 2)); of an orthographic camera pixels per world unit,
+/// viewportHeight / (2 halfHeight). @param viewport  width and height, pixels
+float focalPixels(const Camera& camera, const glm::uvec2& viewport);
 
 /// Camera at eye, looking at target, +y up (or +z where the view is vertical). Errors: kUsage if eye equals target.
 Camera lookAt(const glm::vec3& eye, const glm::vec3& target, const Aabb& sceneWorld);

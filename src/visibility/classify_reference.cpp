@@ -113,7 +113,9 @@ gpu::uint coverBeforeTest(const gpu::CullView& view, const History& history, gpu
 gpu::ScreenBox screenBoxOf(const gpu::CullView& view, const BoxOnScreen& box, const glm::vec4& rect, float scale,
                            float importance) {
   const float nearest = distanceToBox(glm::vec3(view.cameraWorld), box.boundsWorld);
-  const float pixelsPerUnit = projectedScale(scale, view.focalPixels, nearest, view.cameraWorld.w);
+  const float pixelsPerUnit = view.forwardWorld.w == 0.0F
+                                  ? projectedScale(scale, view.focalPixels, nearest, view.cameraWorld.w)
+                                  : scale * view.focalPixels;
   return {rect.x, rect.y, rect.z, rect.w, box.nearestDepth, pixelsPerUnit, view.tau / importance, gpu::kCoverOpen};
 }
 
@@ -183,14 +185,21 @@ bool isMirrored(const gpu::Transform& t) {
                   glm::cross(glm::vec3(t.worldFromObject1), glm::vec3(t.worldFromObject2))) < 0.0F;
 }
 
+float distanceFromEye(const gpu::CullView& view, const Aabb& box) {
+  const glm::vec3 eye(view.cameraWorld);
+  if (view.forwardWorld.w == 0.0F) return distanceToBox(eye, box);
+  const glm::vec3 forward(view.forwardWorld);
+  const glm::vec3 closest = glm::min(forward * (box.min - eye), forward * (box.max - eye));
+  return std::max(closest.x + closest.y + closest.z, 0.0F);
+}
+
 gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance) {
   if (!has(view.traits, gpu::kTraitCulls)) return gpu::kVerdictPending;
   if (box.outside) return gpu::kVerdictOutside;
   if (box.crossesNear && !has(view.traits, gpu::kTraitUsesMap)) return gpu::kVerdictNear;
   const glm::vec2 size(box.rect.z - box.rect.x, box.rect.w - box.rect.y);
   if (!box.crossesNear && size.x * size.y * importance < view.minPixels) return gpu::kVerdictSmall;
-  if (has(view.traits, gpu::kTraitUsesMap) &&
-      distanceToBox(glm::vec3(view.cameraWorld), box.boundsWorld) < view.occluderDistance)
+  if (has(view.traits, gpu::kTraitUsesMap) && distanceFromEye(view, box.boundsWorld) < view.occluderDistance)
     return gpu::kVerdictOccluder;
   return box.crossesNear ? gpu::kVerdictNear : gpu::kVerdictPending;
 }

@@ -35,6 +35,10 @@ BoxOnScreen boxOnScreen(const gpu::Transform& transform, const Aabb& boundsObjec
 /// Distance from a point to the closest point of a box, world units; 0 inside.
 float distanceToBox(const glm::vec3& point, const Aabb& box);
 
+/// Distance from the eye of a view to the closest point of a box, world units; 0 inside. For an orthographic view, from
+/// the plane of its camera along its direction; 0 behind that plane.
+float distanceFromEye(const gpu::CullView& view, const Aabb& box);
+
 /// Upper bound of how much a transform stretches a length; exact where the axes stay orthogonal.
 float largestScale(const gpu::Transform& transform);
 

@@ -333,6 +333,13 @@ add('camera-step', (doc) => {
   doc.animate(filmed(doc).camera, 'translation', [0, 1, 2], 'VEC3', [0, 0, 0, 0.3, 0.2, 0, 0.6, 0, 0], 'STEP');
   return byCamera(50);
 }, {});
+add('camera-orthographic', (doc) => {
+  const { camera, parent } = filmed(doc, {}, {});
+  doc.json.cameras = [{ type: 'orthographic', orthographic: { xmag: 1.4 * 4 / 3, ymag: 1.4, znear: 0, zfar: 20 } }];
+  doc.animate(parent, 'rotation', [0, 2], 'VEC4', [0, 0, 0, 1, -0.1, 0.2, 0, 0.9746794]);
+  doc.animate(camera, 'translation', [0, 2], 'VEC3', [0, 0, 0, 0.4, 0.3, 4]);
+  return byCamera(45);
+}, {});
 add('camera-below-scale', (doc) => {
   filmed(doc, { scale: [2, 2, 2] }, { translation: [0.2, 0.1, 0] });
   return byCamera(0);

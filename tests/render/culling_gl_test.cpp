@@ -70,6 +70,22 @@ TEST_F(CullingGl, MovingMirroredAndFlattenedSpheresAtAnySize) {
     expectLossless(j, width, height, 20);
 }
 
+TEST_F(CullingGl, OrthographicCamerasLoseNoPixelAndCull) {
+  test::Journey j = journey(test::groundPlane(250, 1), 6);
+  const float reach = 2.0F * j.scene.boundsWorld.diagonal();
+  j.camera = [tour = j.camera, reach](std::uint32_t frame) {
+    scene::Camera camera = tour(frame);
+    camera.halfSize = glm::vec2(0.04F * reach, 0.02F * reach);
+    camera.zNear = 0.0F;
+    camera.zFar = reach;
+    return camera;
+  };
+  for (const auto& [width, height] : {std::pair{333U, 97U}, {64U, 120U}}) {
+    const test::CullingLoss loss = expectLossless(j, width, height, 24);
+    EXPECT_GT(loss.culled, 100U) << "and much is culled";
+  }
+}
+
 TEST_F(CullingGl, TessellatedSurfacesBeyondTheirFlatBase) {
   asset::SceneFile file = test::sphereChain(1);
   file.meshes[0].primitives = {test::sphere(7, 8)};

@@ -76,7 +76,7 @@ TEST(SharedTransforms, TwinDecidesAsForTheExpandedScene) {
   view.viewportHeight = kHeight;
   view.traits = traitsOf(CullMode::kFrustum) | traitsOf(LodRule::kPixelError);
   view.maxTessellation = gpu::kMaxTessellationLevel;
-  view.focalPixels = scene::focalPixels(camera, kHeight);
+  view.focalPixels = scene::focalPixels(camera, {kWidth, kHeight});
   view.tau = 1.0F;
   for (gpu::uint i = 0; i < expanded.objects.size(); ++i) {
     const visibility::ObjectDecision actual = visibility::classifyObject(shared, view, i, {});

@@ -29,6 +29,25 @@ TEST(Camera, DepthIsReversed) {
   EXPECT_NEAR(depthOf(camera, {0, 0, -1e7F}), 0.0F, 1e-5F);
 }
 
+TEST(Camera, OrthographicDepthAndSizeAreLinear) {
+  Camera camera = lookAt({1, 2, 3}, {1, 2, -3}, kBox);
+  camera.halfSize = glm::vec2(6, 4);
+  camera.zNear = 0.0F;
+  camera.zFar = 8.0F;
+  const auto ndc = [&](float aspect, const glm::vec3& world) {
+    const glm::vec4 clip = clipFromWorld(camera, aspect) * glm::vec4(world, 1.0F);
+    EXPECT_EQ(clip.w, 1.0F);
+    return glm::vec3(clip);
+  };
+  EXPECT_LT(glm::distance(ndc(1.5F, {7, 6, 3}), {1, 1, 1}), 1e-6F);
+  EXPECT_LT(glm::distance(ndc(1.5F, {-5, -2, -5}), {-1, -1, 0}), 1e-6F);
+  EXPECT_LT(glm::distance(ndc(1.5F, {1, 4, 1}), {0, 0.5F, 0.75F}), 1e-6F);
+  EXPECT_LT(glm::distance(ndc(1.0F, {7, 8, 3}), {1, 1, 1}), 1e-6F) << "a narrow picture shows more above and below";
+  EXPECT_LT(glm::distance(ndc(3.0F, {13, 6, 3}), {1, 1, 1}), 1e-6F) << "a wide one shows more at the sides";
+  EXPECT_FLOAT_EQ(focalPixels(camera, {300, 200}), 25.0F) << "pixels per world unit";
+  EXPECT_FLOAT_EQ(focalPixels(camera, {200, 200}), 200.0F / 12.0F);
+}
+
 TEST(Camera, LooksAlongMinusZWithYUp) {
   const Camera camera = lookAt({3, 4, 5}, {3, 4, -5}, kBox);
   const glm::vec4 up = clipFromWorld(camera, 1.0F) * glm::vec4(3, 5, 0, 1);

@@ -86,6 +86,7 @@ std::set<gpu::uint> plausibleVerdicts(const Bracket& bracket, const gpu::CullVie
 
 /// Relative error of ScreenBox.pixelsPerUnit, whose denominator is the distance to the box.
 float scaleError(const Bracket& bracket, const gpu::CullView& view) {
+  if (view.forwardWorld.w != 0.0F) return kFewUlps;  // distances do not count
   const float distance = distanceToBox(glm::vec3(view.cameraWorld), bracket.boxes[1].boundsWorld);
   const float denominator = std::max(distance, view.cameraWorld.w);
   return kFewUlps + 2.0F * bracket.worldError / denominator;
@@ -233,6 +234,43 @@ TEST_F(ClassifyGl, RandomScenesFromOutsideAndInside) {
   for (const glm::vec3 eye : {glm::vec3(0, 0, 40), glm::vec3(3, 2, 1), glm::vec3(-12, 9, 0)})
     for (const ScreenSize size : kSizes)
       compareClassification(scene, makeView(scene, scene::lookAt(eye, {0, 0.5F, 0}, scene.boundsWorld), size, 15.0F));
+}
+
+TEST_F(ClassifyGl, OrthographicCamerasFromOutsideAndInside) {
+  const SceneData scene = scene::buildScene(test::randomSpheres(500, 10.0F, 1));
+  for (const glm::vec3 eye : {glm::vec3(0, 0, 40), glm::vec3(3, 2, 1), glm::vec3(-12, 9, 0)})
+    for (const ScreenSize size : kSizes) {
+      scene::Camera camera = scene::lookAt(eye, {0, 0.5F, 0}, scene.boundsWorld);
+      camera.halfSize = glm::vec2(5.0F, 3.0F);
+      camera.zNear = 0.0F;
+      camera.zFar = 45.0F;
+      for (const FramePolicy& policy : {FramePolicy{}, FramePolicy{.cullMode = CullMode::kHom}})
+        compareClassification(scene, makeView(scene, camera, size, 32.0F, policy));
+    }
+}
+
+TEST_F(ClassifyGl, AnOrthographicLevelDoesNotDependOnTheDistance) {
+  asset::SceneFile file = test::sphereChain(4);
+  for (int i = 0; i < 12; ++i)
+    test::addInstance(file, 0, {-11.0F + 2.0F * static_cast<float>(i), 0, -8.0F * static_cast<float>(i)}, glm::vec3(1));
+  const SceneData scene = scene::buildScene(file);
+  std::set<gpu::uint> levels;
+  for (const float halfHeight : {2.0F, 30.0F, 500.0F}) {
+    scene::Camera camera = scene::lookAt({0, 0, 10}, {0, 0, 0}, scene.boundsWorld);
+    camera.halfSize = glm::vec2(16.0F, halfHeight);
+    camera.zNear = 0.0F;
+    camera.zFar = 200.0F;
+    const FramePolicy policy{.cullMode = CullMode::kFrustum, .lodRule = LodRule::kPixelError};
+    const gpu::CullView view = makeView(scene, camera, {640, 360}, 0.0F, policy);
+    const std::vector<ObjectDecision> decisions =
+        runKernel(scene, view, std::vector<LastFrame>(scene.objects.size()), nullptr);
+    for (const ObjectDecision& decision : decisions) {
+      EXPECT_EQ(decision.state.lod, decisions[0].state.lod);
+      EXPECT_FLOAT_EQ(decision.box.pixelsPerUnit, 360.0F / (2.0F * std::max(halfHeight, 9.0F)));
+    }
+    levels.insert(decisions[0].state.lod);
+  }
+  EXPECT_GE(levels.size(), 2U) << "but on the size of the view";
 }
 
 TEST_F(ClassifyGl, AdversarialBoxes) {

@@ -38,11 +38,24 @@ TEST(Classify, BoxAheadHasACentredRectangle) {
   EXPECT_FALSE(box.outside);
   EXPECT_FALSE(box.crossesNear);
   // The front face at distance 9 has half size 1.
-  const float half = scene::focalPixels(cameraAt({0, 0, 0}), 720) / 9.0F;
+  const float half = scene::focalPixels(cameraAt({0, 0, 0}), {1280, 720}) / 9.0F;
   EXPECT_NEAR(box.rect.x, 640.0F - half, 1e-2F);
   EXPECT_NEAR(box.rect.z, 640.0F + half, 1e-2F);
   EXPECT_NEAR(box.rect.y, 360.0F - half, 1e-2F);
   EXPECT_NEAR(box.rect.w, 360.0F + half, 1e-2F);
+}
+
+TEST(Classify, OrthographicDistancesAreThoseFromThePlaneOfTheCamera) {
+  gpu::CullView view{};
+  view.cameraWorld = {0, 0, 10, 0};
+  view.forwardWorld = {0, 0, -1, 1};
+  EXPECT_FLOAT_EQ(distanceFromEye(view, kUnitBox), 9.0F);
+  EXPECT_FLOAT_EQ(distanceFromEye(view, {{50, -80, -1}, {60, 80, 1}}), 9.0F) << "however far at the side";
+  EXPECT_FLOAT_EQ(distanceFromEye(view, {{-1, -1, 9}, {1, 1, 11}}), 0.0F);
+  EXPECT_FLOAT_EQ(distanceFromEye(view, {{-1, -1, 12}, {1, 1, 13}}), 0.0F);
+  view.forwardWorld.w = 0.0F;
+  EXPECT_FLOAT_EQ(distanceFromEye(view, {{30, -1, -29}, {31, 1, -30}}),
+                  distanceToBox({0, 0, 10}, {{30, -1, -29}, {31, 1, -30}}));
 }
 
 TEST(Classify, BoxesBeyondEachPlaneAreOutside) {

@@ -12,6 +12,7 @@ gpu::CullView makeView(const scene::SceneData& scene, const scene::Camera& camer
   gpu::CullView view{};
   view.clipFromWorld = scene::clipFromWorld(camera, static_cast<float>(size.width) / static_cast<float>(size.height));
   view.cameraWorld = glm::vec4(camera.positionWorld(), camera.zNear);
+  view.forwardWorld = glm::vec4(camera.forwardWorld(), camera.isOrthographic() ? 1.0F : 0.0F);
   view.viewportWidth = size.width;
   view.viewportHeight = size.height;
   view.objectCount = static_cast<gpu::uint>(scene.objects.size());
@@ -21,7 +22,7 @@ gpu::CullView makeView(const scene::SceneData& scene, const scene::Camera& camer
   view.occluderDistance = occluderDistance;
   view.cullThreshold = 1.0F;
   view.maxTessellation = gpu::kMaxTessellationLevel;
-  view.focalPixels = scene::focalPixels(camera, size.height);
+  view.focalPixels = scene::focalPixels(camera, {size.width, size.height});
   view.tau = 1.0F;
   view.maxError = gpu::kDefaultMaxError;
   view.hysteresis = gpu::kDefaultHysteresis;

@@ -118,6 +118,7 @@ const std::map<std::string, Layout>& expectedLayouts() {
        {0,
         {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld),
          JAL_FIELD("CullViewBlock.", CullView, cameraWorld),
+         JAL_FIELD("CullViewBlock.", CullView, forwardWorld),
          JAL_FIELD("CullViewBlock.", CullView, viewportWidth),
          JAL_FIELD("CullViewBlock.", CullView, viewportHeight),
          JAL_FIELD("CullViewBlock.", CullView, objectCount),
@@ -169,13 +170,13 @@ const std::map<std::string, Layout>& expectedLayouts() {
       {"DrawViewBlock",
        {0,
         {JAL_FIELD("DrawViewBlock.", DrawView, clipFromWorld), JAL_FIELD("DrawViewBlock.", DrawView, cameraWorld),
-         JAL_FIELD("DrawViewBlock.", DrawView, lightWorld), JAL_FIELD("DrawViewBlock.", DrawView, view),
-         JAL_FIELD("DrawViewBlock.", DrawView, patches), JAL_FIELD("DrawViewBlock.", DrawView, mapLevel),
-         JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha), JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth),
-         JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight), JAL_FIELD("DrawViewBlock.", DrawView, maxTessellation),
-         JAL_FIELD("DrawViewBlock.", DrawView, depthGuard), JAL_FIELD("DrawViewBlock.", DrawView, fadeFrames),
-         JAL_FIELD("DrawViewBlock.", DrawView, reserved0), JAL_FIELD("DrawViewBlock.", DrawView, reserved1),
-         JAL_FIELD("DrawViewBlock.", DrawView, reserved2)}}},
+         JAL_FIELD("DrawViewBlock.", DrawView, forwardWorld), JAL_FIELD("DrawViewBlock.", DrawView, lightWorld),
+         JAL_FIELD("DrawViewBlock.", DrawView, view), JAL_FIELD("DrawViewBlock.", DrawView, patches),
+         JAL_FIELD("DrawViewBlock.", DrawView, mapLevel), JAL_FIELD("DrawViewBlock.", DrawView, phongAlpha),
+         JAL_FIELD("DrawViewBlock.", DrawView, viewportWidth), JAL_FIELD("DrawViewBlock.", DrawView, viewportHeight),
+         JAL_FIELD("DrawViewBlock.", DrawView, maxTessellation), JAL_FIELD("DrawViewBlock.", DrawView, depthGuard),
+         JAL_FIELD("DrawViewBlock.", DrawView, fadeFrames), JAL_FIELD("DrawViewBlock.", DrawView, reserved0),
+         JAL_FIELD("DrawViewBlock.", DrawView, reserved1), JAL_FIELD("DrawViewBlock.", DrawView, reserved2)}}},
   };
   return kLayouts;
 }

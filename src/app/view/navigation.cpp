@@ -71,8 +71,10 @@ void Navigation::dragCamera(const glm::vec2& pixels) {
   const glm::vec2 angles = kRadiansPerPixel * pixels;
   if (drag_ == Drag::kTurn) return cameras_.move(orbited(pose, -angles.x, angles.y));
   if (drag_ == Drag::kLook) return cameras_.move(turned(pose, -angles.x, -angles.y));
-  const float focalPixels = scene::focalPixels(documents_.drawCamera(state_.current), documents_.height());
-  cameras_.move(panned(pose, pixels.x, -pixels.y, focalPixels));
+  scene::Camera camera = documents_.drawCamera(state_.current);
+  camera.halfSize.reset();  // a pose is that of a perspective camera
+  const glm::uvec2 viewport(documents_.region(state_.current).width, documents_.height());
+  cameras_.move(panned(pose, pixels.x, -pixels.y, scene::focalPixels(camera, viewport)));
 }
 
 void Navigation::wheel(float steps, const Input& input) {

@@ -62,7 +62,8 @@ std::array<glm::vec3, 8> frustumCorners(const scene::Camera& camera, float aspec
   for (std::size_t plane = 0; plane < 2; ++plane)
     for (std::size_t i = 0; i < 4; ++i) {
       const float d = distances[plane];
-      const glm::vec4 p(kSigns[i].x * tanY * aspect * d, kSigns[i].y * tanY * d, -d, 1.0F);
+      const float half = camera.isOrthographic() ? scene::halfHeight(camera, aspect) : tanY * d;
+      const glm::vec4 p(kSigns[i].x * half * aspect, kSigns[i].y * half, -d, 1.0F);
       corners[4 * plane + i] = glm::vec3(camera.worldFromCamera * p);
     }
   return corners;

@@ -55,7 +55,10 @@ bool isUsable(const Pose& pose) {
 
 Pose poseOf(const scene::Camera& camera, float distance) {
   const glm::vec3 eye = camera.positionWorld();
-  return {eye, eye - distance * glm::vec3(camera.worldFromCamera[2])};
+  const glm::vec3 forward = camera.forwardWorld();
+  const glm::vec3 look = eye + distance * forward;
+  if (!camera.isOrthographic()) return {eye, look};
+  return {look - camera.halfSize->y / std::tan(0.5F * camera.fovY) * forward, look};
 }
 
 float targetDistance(const scene::Camera& camera, const Aabb& sceneWorld) {

@@ -17,7 +17,8 @@ struct Pose {
 /// Whether a camera can have this pose: all coordinates are finite, and eye and target differ.
 bool isUsable(const Pose& pose);
 
-/// The pose of a camera with its target at a distance. A roll of the camera is dropped.
+/// The pose of a camera with its target at a distance. A roll of the camera is dropped. For an orthographic camera, the
+/// pose of the perspective camera on the same axis that shows as much at the target.
 Pose poseOf(const scene::Camera& camera, float distance);
 
 /// Distance for the target of a camera: to the centre of the scene, at least 1 % of the scene's diagonal.

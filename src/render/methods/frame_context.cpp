@@ -19,6 +19,7 @@ void FrameContext::setCullingCamera(float depthGuard) const {
   gpu::DrawView view = drawView;
   view.clipFromWorld = cullView.clipFromWorld;
   view.cameraWorld = cullView.cameraWorld;
+  view.forwardWorld = cullView.forwardWorld;
   view.depthGuard = depthGuard;
   draw.setView(view);
 }
