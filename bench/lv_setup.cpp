@@ -52,7 +52,7 @@ scene::Camera LvView::camera() const {
   glm::vec3 eye;
   glm::vec3 look;
   if (std::sscanf(text.c_str(), "%f,%f,%f:%f,%f,%f", &eye.x, &eye.y, &eye.z, &look.x, &look.y, &look.z) == 6)
-    return scene::lookAt(eye, look, scene.boundsWorld);
+    return scene::lookAt(eye - glm::vec3(scene.originWorld), look - glm::vec3(scene.originWorld), scene.boundsWorld);
   char* end = nullptr;
   const float frame = std::strtof(text.c_str(), &end);
   if (end == text.c_str() || *end != '\0')

@@ -13,6 +13,7 @@
 #include "app/command_memory.h"
 #include "app/gl_debug.h"
 #include "app/path_camera.h"
+#include "app/render_cameras.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -152,7 +153,7 @@ nlohmann::ordered_json writeReport(const CompareOptions& options, const compare:
 
 asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile) {
   if (options.path.empty()) return chosen(sceneFile.cameras, options.camera, options.scene);
-  return chosen(readWithin(options.path, options.memory, readingNeeds).cameras, options.camera, options.path);
+  return chosen(pathFromFile(options.path, options.memory, sceneFile.originWorld), options.camera, options.path);
 }
 
 void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) {

@@ -20,19 +20,20 @@ bool parseSize(const std::string& text, std::uint32_t& width, std::uint32_t& hei
 
 }  // namespace
 
-std::optional<glm::vec3> parsePoint(std::string_view text) {
-  glm::vec3 point(0.0F);
+std::optional<glm::dvec3> parsePoint(std::string_view text) {
+  glm::dvec3 point(0.0);
   for (glm::length_t k = 0; k < 3; ++k) {
     const std::size_t comma = text.find(',');
     if ((comma == std::string_view::npos) != (k == 2)) return std::nullopt;
-    if (!CLI::detail::lexical_cast(std::string(text.substr(0, comma)), point[k]) || !std::isfinite(point[k]))
+    if (!CLI::detail::lexical_cast(std::string(text.substr(0, comma)), point[k]) ||
+        !std::isfinite(static_cast<float>(point[k])))
       return std::nullopt;
     text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
   }
   return point;
 }
 
-void addPoint(CLI::App& command, const char* name, std::optional<glm::vec3>& target, const char* help) {
+void addPoint(CLI::App& command, const char* name, std::optional<glm::dvec3>& target, const char* help) {
   command
       .add_option(
           name,

@@ -15,10 +15,10 @@ class App;
 namespace jalousie::app {
 
 /// "1,2.5,-3"; absent if it is anything else or not finite.
-std::optional<glm::vec3> parsePoint(std::string_view text);
+std::optional<glm::dvec3> parsePoint(std::string_view text);
 
 /// An option that takes X,Y,Z. target must outlive the parse.
-void addPoint(CLI::App& command, const char* name, std::optional<glm::vec3>& target, const char* help);
+void addPoint(CLI::App& command, const char* name, std::optional<glm::dvec3>& target, const char* help);
 
 /// --size WxH, up to 16384 a side. width and height must outlive the parse.
 void addSize(CLI::App& command, std::uint32_t& width, std::uint32_t& height);

@@ -71,8 +71,8 @@ asset::CameraTrack orbitTrack(const RecordOptions& options, const Aabb& sceneWor
   return track;
 }
 
-/// Box of the scene. @param frames  of the path that will be written
-Aabb boundsOf(const RecordOptions& options, std::uint32_t frames) {
+/// The scene that the path belongs to. @param frames  of the path that will be written
+scene::SceneData sceneFor(const RecordOptions& options, std::uint32_t frames) {
   // Two times, a position and a rotation, as vectors that grow, as glTF accessors and as an encoded file.
   constexpr std::uint64_t kFrameBytes = 2 * sizeof(float) + sizeof(glm::vec3) + sizeof(glm::quat);
   const auto needs = [&](const asset::SceneSize& size) {
@@ -80,7 +80,7 @@ Aabb boundsOf(const RecordOptions& options, std::uint32_t frames) {
     estimate.add(frames, 5 * kFrameBytes, std::to_string(frames) + " frames");
     return estimate;
   };
-  return scene::buildScene(readWithin(options.scene, options.memory, needs)).boundsWorld;
+  return scene::buildScene(readWithin(options.scene, options.memory, needs));
 }
 
 }  // namespace
@@ -101,8 +101,8 @@ KeyPose parseKey(const std::string& text) {
   KeyPose key;
   if (second != std::string::npos && CLI::detail::lexical_cast(text.substr(0, first), key.frame) &&
       key.frame < kMostFrames) {
-    const std::optional<glm::vec3> eye = parsePoint(std::string_view(text).substr(first + 1, second - first - 1));
-    const std::optional<glm::vec3> look = parsePoint(std::string_view(text).substr(second + 1));
+    const std::optional<glm::dvec3> eye = parsePoint(std::string_view(text).substr(first + 1, second - first - 1));
+    const std::optional<glm::dvec3> look = parsePoint(std::string_view(text).substr(second + 1));
     if (eye && look) return {key.frame, *eye, *look};
   }
   throw Error(ErrorCode::kUsage,
@@ -119,19 +119,20 @@ asset::CameraTrack splineTrack(const std::vector<KeyPose>& keys, const Aabb& sce
     while (k + 1 < keys.size() && frame >= keys[k + 1].frame)
       ++k;
     const auto at = static_cast<float>(frame);
-    const glm::vec3 eye = hermite(keys, k, at, [](const KeyPose& key) { return key.eye; });
-    const glm::vec3 look = hermite(keys, k, at, [](const KeyPose& key) { return key.look; });
+    const glm::vec3 eye = hermite(keys, k, at, [](const KeyPose& key) { return glm::vec3(key.eye); });
+    const glm::vec3 look = hermite(keys, k, at, [](const KeyPose& key) { return glm::vec3(key.look); });
     addPose(track, frame, scene::lookAt(eye, look, sceneWorld));
   }
   return track;
 }
 
 std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& sceneWorld,
-                       const std::filesystem::path& file) {
+                       const glm::dvec3& originWorld, const std::filesystem::path& file) {
   asset::Camera camera;
   camera.fovY = fovY;
   camera.zNear = scene::lookAt({0, 0, 1}, {0, 0, 0}, sceneWorld).zNear;
   camera.track = track;
+  camera.worldFromParent[3] = glm::dvec4(originWorld, 1.0);
   tinygltf::Model model;
   model.asset.version = "2.0";
   model.asset.generator = "jalousie " JALOUSIE_VERSION;
@@ -194,9 +195,15 @@ void runRecord(const RecordOptions& options) {
     if (keys[i - 1].frame >= keys[i].frame) throw Error(ErrorCode::kUsage, "--key: the frames must ascend");
   std::uint32_t frames = 0;
   cli::withFile(options.scene, [&] {
-    const Aabb bounds = boundsOf(options, keys.empty() ? options.frames : keys.back().frame - keys.front().frame + 1);
+    const scene::SceneData scene =
+        sceneFor(options, keys.empty() ? options.frames : keys.back().frame - keys.front().frame + 1);
+    for (KeyPose& key : keys) {
+      key.eye -= scene.originWorld;
+      key.look -= scene.originWorld;
+    }
+    const Aabb& bounds = scene.boundsWorld;
     frames = savePath(keys.empty() ? orbitTrack(options, bounds) : splineTrack(keys, bounds),
-                      glm::radians(options.fovDegrees), bounds, options.output);
+                      glm::radians(options.fovDegrees), bounds, scene.originWorld, options.output);
   });
   if (!options.quiet)
     printOutput(fmt::format("{}: {} frames, {:.1f} s\n", oneLine(options.output.string()), frames,

@@ -19,11 +19,11 @@ class App;
 
 namespace jalousie::app {
 
-/// The camera's position at a frame and the point that it looks at, world units.
+/// The camera's position at a frame and the point that it looks at, in the world of the file.
 struct KeyPose {
   std::uint32_t frame = 0;
-  glm::vec3 eye{0.0F};
-  glm::vec3 look{0.0F};
+  glm::dvec3 eye{0.0};
+  glm::dvec3 look{0.0};
 };
 
 struct RecordOptions {
@@ -48,9 +48,10 @@ void addRecordOptions(CLI::App& command, RecordOptions& options);
 void addPose(asset::CameraTrack& track, std::uint32_t frame, const scene::Camera& camera);
 
 /// Writes a GLB that holds an animated camera and nothing else.
-/// @param fovY  radians   @return  number of frames of the path   Errors: as saveGlb.
+/// @param fovY  radians   @param originWorld  that track and box are relative to   @return  frames of the path
+/// Errors: as saveGlb.
 std::uint32_t savePath(const asset::CameraTrack& track, float fovY, const Aabb& sceneWorld,
-                       const std::filesystem::path& file);
+                       const glm::dvec3& originWorld, const std::filesystem::path& file);
 
 /// "FRAME:X,Y,Z:X,Y,Z". Errors: kUsage.
 KeyPose parseKey(const std::string& text);

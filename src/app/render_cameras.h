@@ -14,6 +14,10 @@ struct RenderCameras {
   scene::Camera draw;
 };
 
+/// Cameras of a file, relative to a point of its world. Errors: as readSceneFile; kUsage if it holds none.
+std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const MemoryLimit& memory,
+                                        const glm::dvec3& originWorld);
+
 /// Cameras of the path in use: those of options.path, else the scene's own; may be empty.
 /// Errors: as readSceneFile; kUsage if options.path holds no camera.
 std::vector<asset::Camera> pathCameras(const RenderOptions& options, const scene::SceneData& scene);

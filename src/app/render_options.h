@@ -17,17 +17,17 @@ namespace jalousie::app {
 
 struct RenderOptions {
   std::filesystem::path scene;
-  std::string camera;            ///< its name or number in the file of the path; empty: the first one
-  std::filesystem::path path;    ///< file whose camera path counts; empty: the scene's own
-  std::filesystem::path output;  ///< empty only with statsOnly
-  std::filesystem::path json;    ///< empty: none; "-": standard output
-  std::optional<double> time;    ///< of the scene's animations, seconds; absent: the pose without them
-  std::optional<float> frame;    ///< of the scene's camera path
-  std::optional<glm::vec3> eye;  ///< world; with look
-  std::optional<glm::vec3> look;
+  std::string camera;             ///< its name or number in the file of the path; empty: the first one
+  std::filesystem::path path;     ///< file whose camera path counts; empty: the scene's own
+  std::filesystem::path output;   ///< empty only with statsOnly
+  std::filesystem::path json;     ///< empty: none; "-": standard output
+  std::optional<double> time;     ///< of the scene's animations, seconds; absent: the pose without them
+  std::optional<float> frame;     ///< of the scene's camera path
+  std::optional<glm::dvec3> eye;  ///< in the file's world; with look
+  std::optional<glm::dvec3> look;
   std::optional<float> freezeFrame;  ///< culling camera, if it differs from the drawing camera
-  std::optional<glm::vec3> freezeEye;
-  std::optional<glm::vec3> freezeLook;
+  std::optional<glm::dvec3> freezeEye;
+  std::optional<glm::dvec3> freezeLook;
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   std::filesystem::path importance;  ///< mask image; empty: none

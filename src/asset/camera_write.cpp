@@ -1,6 +1,7 @@
 // Camera, node, animation.
 #include "asset/camera_write.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
@@ -41,7 +42,9 @@ void addAnimation(tinygltf::Model& model, const std::string& name, int node, con
 }  // namespace
 
 int appendCamera(tinygltf::Model& model, const std::string& name, const Camera& camera) {
-  JAL_CHECK((camera.worldFromParent == glm::mat4(1.0F)));
+  const glm::dvec3 start(camera.worldFromParent[3]);
+  JAL_CHECK(!camera.halfSize.has_value());
+  JAL_CHECK((camera.worldFromParent == glm::translate(glm::dmat4(1.0), start)));
   tinygltf::Camera target;
   target.type = "perspective";
   target.name = name;
@@ -51,9 +54,10 @@ int appendCamera(tinygltf::Model& model, const std::string& name, const Camera& 
   model.cameras.push_back(std::move(target));
 
   const CameraTrack& track = camera.track;
-  const glm::vec3 position = track.translations.empty() ? glm::vec3(camera.worldFromCamera[3]) : track.translations[0];
+  const glm::vec3 position =
+      track.translations.empty() ? glm::vec3(glm::dvec3(camera.worldFromCamera[3]) - start) : track.translations[0];
   const glm::quat rotation =
-      track.rotations.empty() ? glm::quat_cast(glm::mat3(camera.worldFromCamera)) : track.rotations[0];
+      track.rotations.empty() ? glm::quat_cast(glm::mat3(glm::mat4(camera.worldFromCamera))) : track.rotations[0];
   tinygltf::Node node;
   node.name = "camera";
   node.camera = static_cast<int>(model.cameras.size()) - 1;
@@ -62,7 +66,13 @@ int appendCamera(tinygltf::Model& model, const std::string& name, const Camera& 
   model.nodes.push_back(std::move(node));
   const int index = static_cast<int>(model.nodes.size()) - 1;
   addAnimation(model, name, index, track);
-  return index;
+  if (start == glm::dvec3(0.0)) return index;
+  tinygltf::Node above;
+  above.name = "start";
+  above.translation = {start.x, start.y, start.z};
+  above.children = {index};
+  model.nodes.push_back(std::move(above));
+  return index + 1;
 }
 
 }  // namespace jalousie::asset

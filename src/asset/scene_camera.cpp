@@ -139,7 +139,7 @@ glm::dmat4 CameraReader::poseAt(int node, double seconds) {
   return rigid(world);
 }
 
-CameraTrack CameraReader::sampledTrack(int node) {
+CameraTrack CameraReader::sampledTrack(int node, glm::dvec3& start) {
   constexpr std::uint64_t kMostFrames = 1ULL << 20U;  // of all cameras: 36 MB
   float last = 0.0F;
   for (int at = node; at >= 0; at = parents_[static_cast<std::size_t>(at)])
@@ -155,7 +155,9 @@ CameraTrack CameraReader::sampledTrack(int node) {
   std::vector<glm::quat> rotations;
   for (std::uint64_t frame = 0; frame <= static_cast<std::uint64_t>(frames); ++frame) {
     const double seconds = static_cast<double>(frame) / kSampleRate;
-    const glm::dmat4 pose = poseAt(node, seconds);
+    glm::dmat4 pose = poseAt(node, seconds);
+    if (frame == 0) start = glm::dvec3(pose[3]);
+    pose[3] -= glm::dvec4(start, 0.0);
     times.push_back(static_cast<float>(seconds));
     translations.emplace_back(pose[3]);
     rotations.emplace_back(glm::quat_cast(glm::dmat3(pose)));
@@ -176,12 +178,14 @@ Camera CameraReader::read(int node, const glm::dmat4& worldFromParent, const glm
   Camera camera;
   camera.name = source.name.empty() ? model_.nodes[static_cast<std::size_t>(node)].name : source.name;
   readLens(source, camera);
-  camera.worldFromCamera = glm::mat4(isRigid(worldFromNode) ? worldFromNode : rigid(worldFromNode));
+  camera.worldFromCamera = isRigid(worldFromNode) ? worldFromNode : rigid(worldFromNode);
   if (hasPlainTrack(node, worldFromParent)) {
-    camera.worldFromParent = glm::mat4(worldFromParent);
+    camera.worldFromParent = worldFromParent;
     camera.track = trackOf(node);
   } else {
-    camera.track = sampledTrack(node);
+    glm::dvec3 start(0.0);
+    camera.track = sampledTrack(node, start);
+    camera.worldFromParent[3] = glm::dvec4(start, 1.0);
   }
   return camera;
 }

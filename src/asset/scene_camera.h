@@ -46,7 +46,8 @@ class CameraReader {
   bool hasPlainTrack(int node, const glm::dmat4& worldFromParent) const;
   /// Rigid pose of a camera at a time. Errors: kMalformed (a transform without an inverse).
   glm::dmat4 poseAt(int node, double seconds);
-  CameraTrack sampledTrack(int node);
+  /// @param start  gets the place of the first pose; the track's places are relative to it
+  CameraTrack sampledTrack(int node, glm::dvec3& start);
   template <class Value, class Read>
   const Keys<Value>& keysOf(KeyTable<Value>& table, const tinygltf::AnimationSampler& sampler, const Read& read);
 

@@ -18,6 +18,7 @@
 #include "asset/scene_camera.h"
 #include "asset/scene_material.h"
 #include "asset/scene_mesh.h"
+#include "asset/scene_origin.h"
 #include "asset/scene_pose.h"
 #include "core/error.h"
 
@@ -58,7 +59,10 @@ class SceneReader {
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
-    if (keep_ == Keep::kAll) scene_.instances.reserve(size.instances);
+    if (keep_ == Keep::kAll) {
+      scene_.instances.reserve(size.instances);
+      places_.reserve(size.instances);
+    }
     scene_.images.edit().reserve(size.images.size());
     scene_.cameras.reserve(size.cameras);
     readMaterials();
@@ -75,6 +79,7 @@ class SceneReader {
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, worldFromNode});
     }
+    detail::placeNearOrigin(scene_, places_);
     return std::move(scene_);
   }
 
@@ -183,18 +188,20 @@ class SceneReader {
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
     const InstanceTransforms instances = readInstances(model_, node, limits_);
-    if (instances.count == 0) addInstance(chain, glm::mat4(worldFromNode));
+    if (instances.count == 0) addInstance(chain, worldFromNode);
     const bool once = keep_ == Keep::kNothing && instances.areEqual();
     for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
-      const glm::mat4 worldFromObject(worldFromNode * instances.nodeFromInstance(i));
-      if (!isFinite(glm::dmat4(worldFromObject)))
+      const glm::dmat4 worldFromObject = worldFromNode * instances.nodeFromInstance(i);
+      if (!isFinite(glm::dmat4(glm::mat4(worldFromObject))))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
       addInstance(chain, worldFromObject);
     }
   }
 
-  void addInstance(std::uint32_t chain, const glm::mat4& worldFromObject) {
-    if (keep_ == Keep::kAll) scene_.instances.push_back({chain, worldFromObject});
+  void addInstance(std::uint32_t chain, const glm::dmat4& worldFromObject) {
+    if (keep_ != Keep::kAll) return;
+    scene_.instances.push_back({chain, glm::mat4(worldFromObject)});
+    places_.emplace_back(worldFromObject[3]);
   }
 
   const Model& model_;
@@ -206,6 +213,7 @@ class SceneReader {
   detail::ScenePose pose_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
+  std::vector<glm::dvec3> places_;                            ///< of the instances' origins
   std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
   std::map<ShownMesh, std::optional<PosedMesh>> meshes_;
   std::map<std::vector<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;

@@ -122,9 +122,9 @@ struct Camera {
   std::optional<glm::vec2> halfSize;  ///< orthographic: half the width and height of what it shows, world units, > 0
   float zNear = 0.1F;                 ///< world units; > 0, or >= 0 for an orthographic camera
   std::optional<float> zFar;          ///< infinite if absent; an orthographic camera has one
-  glm::mat4 worldFromCamera{1.0F};    ///< rest pose
-  CameraTrack track;                  ///< of the camera's node, in its parent's frame; empty if not animated
-  glm::mat4 worldFromParent{1.0F};    ///< apply to the track's poses
+  glm::dmat4 worldFromCamera{1.0};    ///< rest pose
+  CameraTrack track;                  ///< in the frame of worldFromParent; empty if not animated
+  glm::dmat4 worldFromParent{1.0};    ///< apply to the track's poses
 };
 
 /// Numbers of things by their names.
@@ -137,7 +137,10 @@ struct SceneFile {
   std::vector<Chain> chains;
   std::vector<Instance> instances;  ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
   std::vector<Camera> cameras;      ///< cameras in the scene, in order of traversal
-  ContentCounts ignored;            ///< what the document holds that is not drawn
+  /// Point of the document that all instances and cameras are placed relative to: 0, or the middle of a scene that is
+  /// far from the document's origin, where a float has too few digits.
+  glm::dvec3 originWorld{0.0};
+  ContentCounts ignored;  ///< what the document holds that is not drawn
 };
 
 }  // namespace jalousie::asset

@@ -123,12 +123,12 @@ Camera cameraAtFrame(const asset::Camera& recorded, float frame) {
   camera.halfSize = recorded.halfSize;
   camera.zNear = recorded.zNear;
   camera.zFar = recorded.zFar;
-  camera.worldFromCamera = recorded.worldFromCamera;
+  camera.worldFromCamera = glm::mat4(recorded.worldFromCamera);
   const asset::CameraTrack& track = recorded.track;
   if (track.translations.empty() && track.rotations.empty()) return camera;
 
   const float seconds = frame / kPathRate;
-  const glm::mat4 parentFromCamera = glm::inverse(recorded.worldFromParent) * recorded.worldFromCamera;
+  const glm::mat4 parentFromCamera(glm::inverse(recorded.worldFromParent) * recorded.worldFromCamera);
   glm::vec3 translation(parentFromCamera[3]);
   glm::quat rotation = glm::quat_cast(glm::mat3(parentFromCamera));
   if (!track.translations.empty()) {
@@ -139,8 +139,8 @@ Camera cameraAtFrame(const asset::Camera& recorded, float frame) {
     const KeySpan keys = findKeys(track.rotationTimes, seconds);
     rotation = glm::normalize(glm::slerp(track.rotations[keys.first], track.rotations[keys.second], keys.weight));
   }
-  camera.worldFromCamera =
-      recorded.worldFromParent * glm::translate(glm::mat4(1.0F), translation) * glm::mat4_cast(rotation);
+  const glm::mat4 moved = glm::translate(glm::mat4(1.0F), translation) * glm::mat4_cast(rotation);
+  camera.worldFromCamera = glm::mat4(recorded.worldFromParent * glm::dmat4(moved));
   return camera;
 }
 

@@ -125,6 +125,7 @@ class Builder {
     const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
     scene_.cameras = file_.cameras;
+    scene_.originWorld = file_.originWorld;
     scene_.ignored = file_.ignored;
     return std::move(scene_);
   }

@@ -47,6 +47,7 @@ struct SceneData : DrawTables {
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
+  glm::dvec3 originWorld{0.0};   ///< as asset::SceneFile
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
   Aabb boundsWorld;  ///< of all objects

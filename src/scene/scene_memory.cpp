@@ -14,8 +14,9 @@ constexpr std::uint64_t kBytesPerTexel = 4;
 /// Positions, normals, texture coordinates and colours of asset::Primitive.
 constexpr std::uint64_t kFileVertexBytes =
     3 * sizeof(float) + 3 * sizeof(float) + 2 * sizeof(float) + 4 * sizeof(float);
-/// While a node's instances are read: packed bytes, then vectors.
-constexpr std::uint64_t kReadInstanceBytes = sizeof(glm::vec3) + sizeof(glm::quat) + sizeof(glm::vec3);
+/// While a node's instances are read: packed bytes, then vectors; and the exact place until all are read.
+constexpr std::uint64_t kReadInstanceBytes =
+    sizeof(glm::vec3) + sizeof(glm::quat) + sizeof(glm::vec3) + sizeof(glm::dvec3);
 constexpr std::uint64_t kKeyBytes = sizeof(float) + sizeof(glm::quat);
 /// Names, and the tables by which the reader finds what is there already.
 constexpr std::uint64_t kFileChainBytes = 512;

@@ -26,13 +26,17 @@ ProgramResult jalousie(const std::vector<std::string>& arguments) {
 }
 
 /// A GLB of nine spheres, one in front of the others.
-void writeScene(const std::filesystem::path& file) {
+void writeScene(const std::filesystem::path& file, const std::vector<double>& place = {0, 0, 0}) {
   tinygltf::Model model = test::emptyModel();
   const int mesh = test::addMesh(model, test::sphere(16, 8));
+  tinygltf::Node root;
+  root.translation = place;
   for (int row = -1; row <= 1; ++row)
     for (int column = -1; column <= 1; ++column)
-      model.scenes[0].nodes.push_back(
+      root.children.push_back(
           test::addMeshNode(model, mesh, {1.5 * column, 1.5 * row, row == 0 && column == 0 ? 3.0 : -3.0}));
+  model.nodes.push_back(std::move(root));
+  model.scenes[0].nodes = {static_cast<int>(model.nodes.size()) - 1};
   asset::saveGlb(model, file);
 }
 
@@ -193,6 +197,24 @@ TEST_F(RenderCommand, EveryPathGivesTheSamePicture) {
   EXPECT_EQ(bytes({"--mode", "frustum"}), image);
   EXPECT_EQ(bytes({"--draws", "per-object"}), image);
   EXPECT_EQ(bytes({"--core"}), image);
+}
+
+TEST_F(RenderCommand, SamePictureFarFromTheOrigin) {
+  const std::string far = file("far.glb");
+  writeScene(far, {7e6, -3e6, 1e8});
+  const auto picture = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {"render", "-o", file("place.png"), "--size", "200x100"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    EXPECT_EQ(jalousie(command).exitCode, 0);
+    return asset::loadImage(file("place.png")).pixels;
+  };
+  EXPECT_EQ(picture({far}), picture({scene()}));
+  const auto expected = picture({scene(), "--eye", "1.375,2,6", "--look", "0,0,0.0625"});
+  EXPECT_EQ(picture({far, "--eye", "7000001.375,-2999998,100000006", "--look", "7e6,-3e6,100000000.0625"}), expected);
+  for (const auto& [place, path] : {std::pair{scene(), file("near-path.glb")}, {far, file("far-path.glb")}})
+    ASSERT_EQ(jalousie({"record", place, "-o", path, "--frames", "9", "-q"}).exitCode, 0);
+  const auto along = picture({scene(), "--path", file("near-path.glb"), "--frame", "4"});
+  EXPECT_EQ(picture({far, "--path", file("far-path.glb"), "--frame", "4"}), along);
 }
 
 TEST_F(RenderCommand, SamePictureWhateverTheThreadCount) {

@@ -326,7 +326,7 @@ TEST_F(ViewFiles, AMaskThatIsMissingIsAMessageUntilAnotherOneIsThere) {
 TEST_F(ViewFiles, SettingsGoToTheConfigFolderAlone) {
   if (!openScene()) GTEST_SKIP() << "no display";
   drag(1, 300, 200, 330, 200);
-  const app::Pose marked = pose();
+  const app::WorldPose marked = pose();
   key("ctrl+3");
   viewer_->finish();
   EXPECT_TRUE(fs::exists(folder_ / "config/jalousie/view.json"));

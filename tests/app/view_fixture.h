@@ -196,7 +196,7 @@ class ViewTest : public testing::Test {
 
   const app::ViewState& state() const { return viewer_->state(); }
   View shownView() const { return state().configurations[0].active.frameOptions.view; }
-  app::Pose pose() { return viewer_->document(0).camera.pose.value_or(app::Pose{}); }
+  app::WorldPose pose() { return viewer_->document(0).camera.pose.value_or(app::WorldPose{}); }
   std::filesystem::path scene() const { return folder_ / "scene.glb"; }
 
   TemporaryFolder folder_;

@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "app/option_values.h"
 #include "app/render_command_line.h"
 #include "app/render_option_table.h"
 #include "app/view/actions.h"
@@ -84,11 +85,11 @@ TEST(Pose, FlyingAwayFromANearTargetKeepsTheDirection) {
 }
 
 TEST(Pose, PosesThatNoCameraCanHaveAreKnown) {
-  EXPECT_TRUE(isUsable({{0, 0, 1}, {0, 0, 0}}));
-  EXPECT_FALSE(isUsable({{1, 2, 3}, {1, 2, 3}}));
-  EXPECT_FALSE(isUsable({{NAN, 0, 1}, {0, 0, 0}}));
-  EXPECT_FALSE(isUsable({{0, 0, 1}, {0, INFINITY, 0}}));
-  EXPECT_FALSE(isUsable({{3e38F, 0, 1}, {-3e38F, 0, 0}}));
+  EXPECT_TRUE(isUsable(Pose{{0, 0, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(isUsable(Pose{{1, 2, 3}, {1, 2, 3}}));
+  EXPECT_FALSE(isUsable(Pose{{NAN, 0, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(isUsable(Pose{{0, 0, 1}, {0, INFINITY, 0}}));
+  EXPECT_FALSE(isUsable(Pose{{3e38F, 0, 1}, {-3e38F, 0, 0}}));
 }
 
 TEST(Pose, FramedBoxIsInView) {
@@ -112,6 +113,30 @@ TEST(Pose, PoseOfACameraGivesTheCamera) {
   const scene::Camera again = scene::lookAt(pose.eye, pose.look, scene);
   for (glm::length_t column = 0; column < 4; ++column)
     expectClose(glm::vec3(again.worldFromCamera[column]), glm::vec3(camera.worldFromCamera[column]));
+}
+
+TEST(Pose, PoseOfAnOrthographicCameraShowsAsMuchAtItsTarget) {
+  const Aabb scene{glm::vec3(-2), glm::vec3(2)};
+  scene::Camera camera = scene::lookAt({0, 0, 50}, {0, 0, 0}, scene);
+  camera.halfSize = glm::vec2(3, 3);
+  const Pose pose = poseOf(camera, targetDistance(camera, scene));
+  const scene::Camera perspective = scene::lookAt(pose.eye, pose.look, scene);
+  const glm::vec4 corner = scene::clipFromWorld(perspective, 1.0F) * glm::vec4(3, 3, 0, 1);
+  expectClose(glm::vec3(corner / corner.w), glm::vec3(1, 1, corner.z / corner.w));
+}
+
+TEST(Pose, PosesFarFromTheOriginComeBack) {
+  const glm::dvec3 origin(6e6, -3e6, 40);
+  const Pose pose{{0.1F, 0.2F, 0.3F}, {1, 2, 3}};
+  const WorldPose world = inWorld(pose, origin);
+  EXPECT_EQ(relativeTo(origin, world).look, pose.look);
+  expectClose(relativeTo(origin, world).eye, pose.eye);
+  RenderOptions options;
+  options.eye = world.eye;
+  options.look = world.look;
+  const std::string text = renderCommand(options, "x.png");
+  const std::size_t at = text.find("--eye=") + 6;
+  EXPECT_EQ(parsePoint(text.substr(at, text.find(' ', at) - at)), world.eye) << text;
 }
 
 RenderOptions parsed(const std::string& text) {
@@ -197,13 +222,13 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   ViewSettings settings;
   settings.speed = 2.5F;
   settings.layout = "[Window]\n\"quoted\"";
-  settings.bookmarks["/a b/c.glb"][4] = Pose{{0.1F, 0.2F, 0.3F}, {1, 2, 3}};
+  settings.bookmarks["/a b/c.glb"][4] = WorldPose{{0.1F, 0.2F, 0.3F}, {1, 2, 3}};
   saveSettings(settings, folder / "deep/er");
   const ViewSettings read = loadSettings(folder / "deep/er");
   EXPECT_EQ(read.speed, 2.5F);
   EXPECT_EQ(read.layout, settings.layout);
   ASSERT_TRUE(read.bookmarks.at("/a b/c.glb")[4].has_value());
-  EXPECT_EQ(read.bookmarks.at("/a b/c.glb")[4]->eye, glm::vec3(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(read.bookmarks.at("/a b/c.glb")[4]->eye, glm::dvec3(0.1F, 0.2F, 0.3F));
   std::ofstream(folder / "deep/er/view.json") << "{\"speed\": \"fast\", \"bookmarks\": 3";
   EXPECT_EQ(loadSettings(folder / "deep/er").speed, 1.0F);
   EXPECT_EQ(loadSettings(folder / "nowhere").speed, 1.0F);
@@ -223,13 +248,13 @@ TEST(Settings, ComeBackAndSurviveNonsense) {
   EXPECT_TRUE(mended.graph);
   EXPECT_TRUE(mended.bookmarks.at("/a")[4].has_value());
   ViewSettings odd;
-  odd.bookmarks["/caf\xe9.glb"][0] = Pose{{0, 0, 1}, {0, 0, 0}};
+  odd.bookmarks["/caf\xe9.glb"][0] = WorldPose{{0, 0, 1}, {0, 0, 0}};
   EXPECT_NO_THROW(saveSettings(odd, folder / "deep/er")) << "a file name need not be UTF-8";
 }
 
 TEST(Settings, BookmarksOfAnotherViewerAreAddedNotReplaced) {
-  const Pose ours{{0, 0, 1}, {0, 0, 0}};
-  const Pose theirs{{0, 0, 2}, {0, 0, 0}};
+  const WorldPose ours{{0, 0, 1}, {0, 0, 0}};
+  const WorldPose theirs{{0, 0, 2}, {0, 0, 0}};
   ViewSettings settings;
   settings.bookmarks["/a.glb"][0] = ours;
   ViewSettings others;

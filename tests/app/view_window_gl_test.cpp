@@ -26,12 +26,12 @@ TEST_F(ViewWindow, OpensWithThePictureThatRenderWrites) {
 
 TEST_F(ViewWindow, DraggingTurnsMovesAndLooks) {
   drag(1, 300, 200, 380, 230);
-  const app::Pose turned = pose();
+  const app::WorldPose turned = pose();
   EXPECT_TRUE(viewer_->document(0).camera.pose.has_value());
   expectHeadlessEqual("turned");
   drag(2, 300, 200, 340, 200);
   EXPECT_NE(pose().look, turned.look) << "the middle button moves the target";
-  const app::Pose moved = pose();
+  const app::WorldPose moved = pose();
   drag(3, 300, 200, 340, 200);
   EXPECT_EQ(pose().eye, moved.eye) << "the right button looks around";
   EXPECT_NE(pose().look, moved.look);
@@ -40,12 +40,12 @@ TEST_F(ViewWindow, DraggingTurnsMovesAndLooks) {
 
 TEST_F(ViewWindow, WheelZoomsKeysFlyAndBookmarksRemember) {
   drag(1, 300, 200, 310, 200);
-  const float before = glm::length(pose().eye - pose().look);
+  const double before = glm::length(pose().eye - pose().look);
   xdotool("mousemove 300 200 click 4");
   settle();
   EXPECT_LT(glm::length(pose().eye - pose().look), before);
   key("ctrl+1");
-  const app::Pose marked = pose();
+  const app::WorldPose marked = pose();
   xdotool("keydown w");
   xdotool("keyup w");
   settle();
@@ -190,7 +190,7 @@ TEST_F(ViewWindow, OddSizesOddWindows) {
 
 TEST_F(ViewWindow, LosingTheFocusEndsADrag) {
   xdotool("mousemove 300 200 mousedown 1 mousemove 330 200");
-  const app::Pose before = pose();
+  const app::WorldPose before = pose();
   GLFWwindowfocusfun focus = glfwSetWindowFocusCallback(window_->handle(), nullptr);
   glfwSetWindowFocusCallback(window_->handle(), focus);
   focus(window_->handle(), GLFW_FALSE);
@@ -205,7 +205,7 @@ TEST_F(ViewWindow, LosingTheFocusEndsADrag) {
 TEST_F(ViewWindow, FrozenCullingCameraStaysWhereItIs) {
   drag(1, 300, 200, 320, 200);
   key("c");
-  const app::Pose frozen = *viewer_->document(0).camera.freezePose;
+  const app::WorldPose frozen = *viewer_->document(0).camera.freezePose;
   drag(1, 300, 200, 500, 260);
   EXPECT_EQ(viewer_->document(0).camera.freezePose->eye, frozen.eye);
   EXPECT_NE(pose().eye, frozen.eye);
@@ -225,7 +225,7 @@ TEST_F(ViewWindow, RecordsAPathAndPlaysIt) {
   for (int i = 1; i <= 12; ++i)
     xdotool("mousemove " + std::to_string(300 + 6 * i) + " 200");
   xdotool("mouseup 1");
-  const app::Pose last = pose();
+  const app::WorldPose last = pose();
   xdotool("key ctrl+r");
   settle();
   const std::filesystem::path file = folder_ / "jalousie-path-0001.glb";
@@ -235,7 +235,7 @@ TEST_F(ViewWindow, RecordsAPathAndPlaysIt) {
   ASSERT_GT(viewer_->document(0).pathFrames(), 2U);
   const scene::Camera end =
       scene::cameraAtFrame(path.cameras[0], static_cast<float>(scene::frameCount(path.cameras[0]) - 1));
-  EXPECT_LT(glm::length(end.positionWorld() - last.eye), 1e-3F);
+  EXPECT_LT(glm::distance(end.positionWorld(), glm::vec3(last.eye)), 1e-3F);
   xdotool("key space");
   EXPECT_TRUE(state().playing);
   for (int i = 0; i < 5; ++i)

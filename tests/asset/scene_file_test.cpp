@@ -92,12 +92,12 @@ TEST(SceneFile, InstancingIsExpandedInOrder) {
   instances.rotations.assign(3, glm::angleAxis(glm::radians(90.0F), glm::vec3(1, 0, 0)));
   instances.scales.assign(3, glm::vec3(2.0F));
   model.nodes[0].extensions["EXT_mesh_gpu_instancing"] = appendInstances(model, instances);
-  model.nodes[0].translation = {0, 100, 0};
+  model.nodes[0].translation = {0, 10, 0};
   const SceneFile scene = flatten(model);
   ASSERT_EQ(scene.instances.size(), 3U);
   for (int i = 0; i < 3; ++i) {
     const glm::mat4& world = scene.instances[static_cast<std::size_t>(i)].worldFromObject;
-    EXPECT_EQ(glm::vec3(world[3]), glm::vec3(i + 1, 100, 0));
+    EXPECT_EQ(glm::vec3(world[3]), glm::vec3(i + 1, 10, 0));
     const glm::vec3 up = glm::mat3(world) * glm::vec3(0, 1, 0);
     EXPECT_NEAR(up.z, 2.0F, 1e-5F);
   }
@@ -346,8 +346,8 @@ TEST(SceneFile, CameraWithLinearTrack) {
   EXPECT_FLOAT_EQ(camera.fovY, 0.9F);
   EXPECT_FLOAT_EQ(camera.zNear, 0.2F);
   EXPECT_FALSE(camera.zFar.has_value());
-  EXPECT_EQ(glm::vec3(camera.worldFromCamera[3]), glm::vec3(0, 10, 5));
-  EXPECT_EQ(glm::vec3(camera.worldFromParent[3]), glm::vec3(0, 10, 0));
+  EXPECT_EQ(glm::dvec3(camera.worldFromCamera[3]), glm::dvec3(0, 10, 5));
+  EXPECT_EQ(glm::dvec3(camera.worldFromParent[3]), glm::dvec3(0, 10, 0));
   EXPECT_EQ(camera.track.translationTimes, (std::vector<float>{0, 1}));
   EXPECT_EQ(camera.track.translations[1], glm::vec3(4, 5, 6));
   EXPECT_TRUE(camera.track.rotations.empty());
@@ -359,11 +359,14 @@ TEST(SceneFile, StepTrackDoublesItsKeys) {
   EXPECT_EQ(track.translations, (std::vector<glm::vec3>{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}));
 }
 
-/// Largest distance of a track from positions in the world that a function of the time gives.
-float worstOf(const CameraTrack& track, const std::function<glm::vec3(float)>& expected) {
+/// Largest distance of a camera's path from positions in the world that a function of the time gives.
+float worstOf(const Camera& camera, const std::function<glm::vec3(float)>& expected) {
+  const CameraTrack& track = camera.track;
   float worst = 0.0F;
-  for (std::size_t i = 0; i < track.translations.size(); ++i)
-    worst = std::max(worst, glm::distance(track.translations.get()[i], expected(track.translationTimes.get()[i])));
+  for (std::size_t i = 0; i < track.translations.size(); ++i) {
+    const glm::vec3 actual(camera.worldFromParent * glm::dvec4(track.translations.get()[i], 1.0));
+    worst = std::max(worst, glm::distance(actual, expected(track.translationTimes.get()[i])));
+  }
   return worst;
 }
 
@@ -372,14 +375,14 @@ TEST(SceneFile, SplineTrackFollowsItsTangents) {
   const glm::vec3 leaving(3, -2, 1);
   const glm::vec3 arriving(-1, 4, 2);
   const std::vector<glm::vec3> outputs = {{9, 9, 9}, {1, 2, 3}, leaving, arriving, {4, 5, 6}, {9, 9, 9}};
-  const CameraTrack track = flatten(animatedCamera("CUBICSPLINE", outputs)).cameras.at(0).track;
-  ASSERT_EQ(track.translations.size(), 31U) << "one second at 30 frames";
+  const Camera camera = flatten(animatedCamera("CUBICSPLINE", outputs)).cameras.at(0);
+  ASSERT_EQ(camera.track.translations.size(), 31U) << "one second at 30 frames";
   const auto hermite = [&](float t) {
     return glm::vec3(0, 10, 0) + (2 * t * t * t - 3 * t * t + 1) * glm::vec3(1, 2, 3) +
            (t * t * t - 2 * t * t + t) * leaving + (3 * t * t - 2 * t * t * t) * glm::vec3(4, 5, 6) +
            (t * t * t - t * t) * arriving;
   };
-  EXPECT_LT(worstOf(track, hermite), 1e-5F);
+  EXPECT_LT(worstOf(camera, hermite), 1e-5F);
 }
 
 TEST(SceneFile, CameraMovesWithItsParent) {
@@ -388,20 +391,56 @@ TEST(SceneFile, CameraMovesWithItsParent) {
   model.nodes[1].rotation = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};
   const Camera camera = flatten(model).cameras.at(0);
   ASSERT_EQ(camera.track.translations.size(), 31U);
-  EXPECT_LT(worstOf(camera.track, [](float t) { return glm::mix(glm::vec3(1, 2, 8), glm::vec3(4, 5, 11), t); }), 1e-5F);
+  EXPECT_LT(worstOf(camera, [](float t) { return glm::mix(glm::vec3(1, 2, 8), glm::vec3(4, 5, 11), t); }), 1e-5F);
   EXPECT_NEAR(camera.track.rotations.get()[7].y, std::sqrt(0.5F), 1e-6F);
-  EXPECT_EQ(camera.worldFromParent, glm::mat4(1.0F));
+  EXPECT_EQ(camera.track.translations.get()[0], glm::vec3(0)) << "the track starts at worldFromParent";
 }
 
 TEST(SceneFile, CamerasHaveNeitherScaleNorMirroring) {
   tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
   model.nodes[0].scale = {-2, 2, 2};
   const Camera camera = flatten(model).cameras.at(0);
-  const glm::mat3 axes(camera.worldFromCamera);
+  const glm::mat3 axes{glm::mat4(camera.worldFromCamera)};
   EXPECT_NEAR(glm::determinant(axes), 1.0F, 1e-5F);
   EXPECT_LT(glm::distance(axes[0], glm::vec3(1, 0, 0)) + glm::distance(axes[2], glm::vec3(0, 0, 1)), 1e-5F);
-  EXPECT_LT(worstOf(camera.track, [](float t) { return glm::mix(glm::vec3(-2, 14, 6), glm::vec3(-8, 20, 12), t); }),
-            1e-4F);
+  EXPECT_LT(worstOf(camera, [](float t) { return glm::mix(glm::vec3(-2, 14, 6), glm::vec3(-8, 20, 12), t); }), 1e-4F);
+}
+
+/// Two triangles a unit from a place, a camera between them that moves by (1, 0, 0) in a second.
+tinygltf::Model sceneAt(const std::vector<double>& place) {
+  tinygltf::Model model = animatedCamera("LINEAR", {{0, 0, 0.25F}, {1, 0, 0.25F}});
+  addNode(model, 0);
+  model.nodes[2].translation = {0.125, 3, -1};
+  model.nodes[0].children = {1, 2};
+  model.nodes[0].translation = place;
+  return model;
+}
+
+TEST(SceneFile, ScenesFarFromTheOriginLoseNoDigit) {
+  const std::vector<double> place = {4e6 + 0.015625, -2e6 + 0.5, 1e7};
+  const SceneFile near = flatten(sceneAt({0.015625, 0.5, 0}));
+  EXPECT_EQ(near.originWorld, glm::dvec3(0.0));
+  const SceneFile far = flatten(sceneAt(place));
+  EXPECT_GT(glm::length(far.originWorld), 1e6);
+  EXPECT_EQ(far.originWorld, glm::round(far.originWorld));
+  const glm::dvec3 origin = far.originWorld - glm::dvec3(4e6, -2e6, 1e7);
+  ASSERT_EQ(far.instances.size(), near.instances.size());
+  for (std::size_t i = 0; i < far.instances.size(); ++i)
+    EXPECT_EQ(glm::dvec3(far.instances[i].worldFromObject[3]) + origin,
+              glm::dvec3(near.instances[i].worldFromObject[3]));
+  const auto eyeAt = [](const SceneFile& scene) {
+    return glm::dvec3(scene.cameras.at(0).worldFromParent *
+                      glm::dvec4(scene.cameras[0].track.translations.get().back(), 1.0));
+  };
+  EXPECT_EQ(eyeAt(far) + origin, eyeAt(near));
+  EXPECT_EQ(glm::dvec3(far.cameras[0].worldFromCamera[3]) + origin, glm::dvec3(near.cameras[0].worldFromCamera[3]));
+}
+
+TEST(SceneFile, SceneThatReachesToTheOriginStaysWhereItIs) {
+  tinygltf::Model model = sceneAt({1e6, 0, 0});
+  addNode(model, 0);
+  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
+  EXPECT_EQ(flatten(model).originWorld, glm::dvec3(0.0));
 }
 
 TEST(SceneFile, EndlessCameraPathsAreRefused) {

@@ -402,8 +402,8 @@ std::vector<Change> changesOfThePictures() {
          i.path.track.translationTimes.edit().push_back(3.0F);
          i.path.track.translations.edit().emplace_back(3, 1, 5);
        }},
-      {"the rest pose", [](Inputs& i) { i.path.worldFromCamera[3].x = 1.0F; }},
-      {"the path's parent", [](Inputs& i) { i.path.worldFromParent[3].x = 1.0F; }},
+      {"the rest pose", [](Inputs& i) { i.path.worldFromCamera[3].x = 1.0; }},
+      {"the path's parent", [](Inputs& i) { i.path.worldFromParent[3].x = 1.0; }},
       {"the field of view", [](Inputs& i) { i.path.fovY += 0.01F; }},
       {"the near plane", [](Inputs& i) { i.path.zNear *= 2.0F; }},
       {"a far plane", [](Inputs& i) { i.path.zFar = 100.0F; }},

@@ -124,7 +124,7 @@ TEST(Scatter, OccluderIsAnObjectOfItsOwn) {
   EXPECT_EQ(file.chains[1].levels.size(), 1U);
   const float z = file.instances[1].worldFromObject[3].z;
   EXPECT_GT(z, 1.0F);
-  EXPECT_LT(z, file.cameras.at(0).worldFromCamera[3].z);
+  EXPECT_LT(z, static_cast<float>(file.cameras.at(0).worldFromCamera[3].z));
   const asset::Material& material = file.materials[file.meshes[file.chains[1].levels[0].mesh].primitives[0].material];
   EXPECT_TRUE(material.doubleSided);
   EXPECT_EQ(material.alphaMode, asset::AlphaMode::kOpaque);

@@ -84,7 +84,7 @@ TEST(Camera, FrameBoxSeesEveryCornerAndFillsTheView) {
 
 asset::Camera recordedPath() {
   asset::Camera camera;
-  camera.worldFromParent = glm::translate(glm::mat4(1.0F), {0, 100, 0});
+  camera.worldFromParent = glm::translate(glm::dmat4(1.0), {0, 100, 0});
   camera.worldFromCamera = camera.worldFromParent;
   camera.track.translationTimes = {0.0F, 1.0F, 3.0F};
   camera.track.translations = {{0, 0, 0}, {10, 0, 0}, {10, 20, 0}};
@@ -107,7 +107,7 @@ TEST(CameraPath, InterpolatesBetweenKeysAndStopsAtTheEnds) {
 
 TEST(CameraPath, StillCameraIgnoresTheFrame) {
   asset::Camera still;
-  still.worldFromCamera = glm::translate(glm::mat4(1.0F), {1, 2, 3});
+  still.worldFromCamera = glm::translate(glm::dmat4(1.0), {1, 2, 3});
   EXPECT_EQ(frameCount(still), 1U);
   EXPECT_EQ(cameraAtFrame(still, 77).positionWorld(), glm::vec3(1, 2, 3));
 }

@@ -14,7 +14,7 @@ Cameras::Cameras(ViewState& state, Documents& documents, Redraw& redraw, Message
 
 Pose Cameras::pose() {
   const Document& document = *documents_.current();
-  if (document.camera.pose) return *document.camera.pose;
+  if (document.camera.pose) return relativeTo(document.originWorld(), *document.camera.pose);
   const scene::Camera camera = documents_.drawCamera(state_.current);
   return poseOf(camera, targetDistance(camera, document.boundsWorld()));
 }
@@ -23,7 +23,7 @@ void Cameras::move(const Pose& pose) {
   if (!isUsable(pose)) return;
   state_.playing = false;
   for (const std::size_t i : documents_.followers(state_.current)) {
-    documents_[i].camera.pose = pose;
+    documents_[i].camera.pose = inWorld(pose, documents_[i].originWorld());
     documents_[i].camera.frame.reset();
   }
   redraw_.scenesChanged();
@@ -50,7 +50,7 @@ void Cameras::freezeOrThaw() {
     if (camera.frame || (!camera.pose && document->pathFrames() > 0))
       camera.freezeFrame = camera.frame.value_or(0.0F);
     else
-      camera.freezePose = pose();
+      camera.freezePose = inWorld(pose(), document->originWorld());
     messages_.say("The culling camera is frozen here; the drawing camera can move on.");
   }
   redraw_.scenesChanged();
@@ -65,16 +65,16 @@ bool Cameras::setBookmark(std::size_t number) {
   if (documents_.current() == nullptr) return false;
   const Pose here = pose();
   if (!isUsable(here)) return false;
-  bookmarks()[number] = here;
+  bookmarks()[number] = inWorld(here, documents_.current()->originWorld());
   messages_.say(fmt::format("Bookmark {} is set.", number + 1));
   return true;
 }
 
 void Cameras::goToBookmark(std::size_t number) {
   if (documents_.current() == nullptr) return;
-  const std::optional<Pose> marked = bookmarks()[number];
+  const std::optional<WorldPose> marked = bookmarks()[number];
   if (!marked) return messages_.say(fmt::format("There is no bookmark {0}. Ctrl+{0} sets it.", number + 1));
-  move(*marked);
+  move(relativeTo(documents_.current()->originWorld(), *marked));
 }
 
 }  // namespace jalousie::app

@@ -9,8 +9,14 @@
 namespace jalousie::app {
 namespace {
 
-std::string point(const char* name, const std::optional<glm::vec3>& p) {
-  return p ? fmt::format(" {}={},{},{}", name, p->x, p->y, p->z) : std::string();
+/// The shortest text that reads back as the same number.
+std::string number(double value) {
+  const auto rounded = static_cast<float>(value);
+  return static_cast<double>(rounded) == value ? fmt::format("{}", rounded) : fmt::format("{}", value);
+}
+
+std::string point(const char* name, const std::optional<glm::dvec3>& p) {
+  return p ? fmt::format(" {}={},{},{}", name, number(p->x), number(p->y), number(p->z)) : std::string();
 }
 
 std::string frame(const char* name, const std::optional<float>& f) {

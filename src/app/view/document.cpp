@@ -11,6 +11,7 @@
 
 #include "app/command_memory.h"
 #include "app/path_camera.h"
+#include "app/render_cameras.h"
 #include "app/render_option_table.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
@@ -67,8 +68,8 @@ CameraChoice CameraChoice::of(const RenderOptions& options) {
   choice.time = options.time;
   choice.frame = options.frame;
   choice.freezeFrame = options.freezeFrame;
-  if (options.eye && options.look) choice.pose = Pose{*options.eye, *options.look};
-  if (options.freezeEye && options.freezeLook) choice.freezePose = Pose{*options.freezeEye, *options.freezeLook};
+  if (options.eye && options.look) choice.pose = WorldPose{*options.eye, *options.look};
+  if (options.freezeEye && options.freezeLook) choice.freezePose = WorldPose{*options.freezeEye, *options.freezeLook};
   return choice;
 }
 
@@ -128,7 +129,7 @@ void Document::keepFrozenCamera() {
   const scene::Camera frozen = scene::cameraAtFrame(path_.front(), *camera.freezeFrame);
   const Pose pose = poseOf(frozen, targetDistance(frozen, boundsWorld_));
   if (!isUsable(pose)) return;
-  camera.freezePose = pose;
+  camera.freezePose = inWorld(pose, originWorld());
   camera.freezeFrame.reset();
 }
 
@@ -136,8 +137,7 @@ void Document::loadPath(bool refusesFrames) {
   if (!scene_) return;
   failures_[kPath] = {};
   try {
-    path_ = camera.path.empty() ? scene_->cameras : readWithin(camera.path, memory_, readingNeeds).cameras;
-    if (path_.empty() && !camera.path.empty()) throw Error(ErrorCode::kUsage, "holds no camera", camera.path);
+    path_ = camera.path.empty() ? scene_->cameras : pathFromFile(camera.path, memory_, scene_->originWorld);
     path_ = chosenFirst(std::move(path_), camera.camera, camera.path.empty() ? file_ : camera.path);
   } catch (const Error& error) {
     fail(kPath, error);

@@ -50,9 +50,9 @@ struct CameraChoice {
   std::string camera;          ///< name or number; empty: the first one
   std::optional<double> time;  ///< of the scene's animations, seconds
   std::optional<float> frame;
-  std::optional<Pose> pose;
+  std::optional<WorldPose> pose;
   std::optional<float> freezeFrame;
-  std::optional<Pose> freezePose;
+  std::optional<WorldPose> freezePose;
 
   bool frozen() const { return freezeFrame || freezePose; }
   static CameraChoice of(const RenderOptions& options);
@@ -99,6 +99,8 @@ class Document {
   const std::vector<asset::Camera>& path() const { return path_; }
   /// Bounds of the scene; known as soon as the file is loaded.
   Aabb boundsWorld() const { return boundsWorld_; }
+  /// Point of the file's world that boxes and cameras are relative to; poses are not.
+  glm::dvec3 originWorld() const { return scene_ ? scene_->originWorld : glm::dvec3(0.0); }
   /// Frames of the first camera path; 0 if there is none.
   std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
 

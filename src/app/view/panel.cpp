@@ -157,12 +157,16 @@ void drawConfigurations(ViewState& state, PanelResult& result) {
   ImGui::EndTabBar();
 }
 
-bool editPose(const char* eye, const char* look, std::optional<Pose>& pose) {
+bool dragPoint(const char* label, glm::dvec3& point) {
+  return ImGui::DragScalarN(label, ImGuiDataType_Double, &point.x, 3, 0.01F, nullptr, nullptr, "%.7g");
+}
+
+bool editPose(const char* eye, const char* look, std::optional<WorldPose>& pose) {
   if (!pose) return false;
-  Pose edited = *pose;
-  bool changed = ImGui::DragFloat3(eye, &edited.eye.x, 0.01F, 0.0F, 0.0F, "%.4g");
+  WorldPose edited = *pose;
+  bool changed = dragPoint(eye, edited.eye);
   tooltip("Position of the camera, world units");
-  changed |= ImGui::DragFloat3(look, &edited.look.x, 0.01F, 0.0F, 0.0F, "%.4g");
+  changed |= dragPoint(look, edited.look);
   tooltip("Point that the camera looks at, world units");
   if (!changed || !isUsable(edited)) return false;
   pose = edited;

@@ -53,6 +53,18 @@ bool isUsable(const Pose& pose) {
   return distance > 0.0F && std::isfinite(distance);
 }
 
+bool isUsable(const WorldPose& pose) {
+  return isUsable(relativeTo(pose.eye, pose));
+}
+
+WorldPose inWorld(const Pose& pose, const glm::dvec3& originWorld) {
+  return {glm::dvec3(pose.eye) + originWorld, glm::dvec3(pose.look) + originWorld};
+}
+
+Pose relativeTo(const glm::dvec3& originWorld, const WorldPose& pose) {
+  return {glm::vec3(pose.eye - originWorld), glm::vec3(pose.look - originWorld)};
+}
+
 Pose poseOf(const scene::Camera& camera, float distance) {
   const glm::vec3 eye = camera.positionWorld();
   const glm::vec3 forward = camera.forwardWorld();

@@ -8,14 +8,25 @@
 
 namespace jalousie::app {
 
-/// Position and target of a camera, as --eye and --look: world space, +y is up.
+/// Position and target of a camera, relative to the origin of the scene that is shown (SceneData::originWorld). +y is
+/// up.
 struct Pose {
   glm::vec3 eye{0.0F, 0.0F, 4.0F};
   glm::vec3 look{0.0F};
 };
 
+/// The same in the world of the file, as --eye and --look.
+struct WorldPose {
+  glm::dvec3 eye{0.0, 0.0, 4.0};
+  glm::dvec3 look{0.0};
+};
+
+WorldPose inWorld(const Pose& pose, const glm::dvec3& originWorld);
+Pose relativeTo(const glm::dvec3& originWorld, const WorldPose& pose);
+
 /// Whether a camera can have this pose: all coordinates are finite, and eye and target differ.
 bool isUsable(const Pose& pose);
+bool isUsable(const WorldPose& pose);
 
 /// The pose of a camera with its target at a distance. A roll of the camera is dropped. For an orthographic camera, the
 /// pose of the perspective camera on the same axis that shows as much at the target.

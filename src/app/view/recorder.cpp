@@ -42,7 +42,8 @@ void Recorder::save() {
   const std::filesystem::path file = freshOutput(state_.outputs, "jalousie-path", ".glb");
   const std::size_t recorded = documents_.indexOf(document_);
   const float fovY = documents_.drawCamera(recorded).fovY;
-  const std::uint32_t frames = savePath(track_, fovY, documents_[recorded].boundsWorld(), file);
+  const std::uint32_t frames =
+      savePath(track_, fovY, documents_[recorded].boundsWorld(), documents_[recorded].originWorld(), file);
   for (const std::size_t i : documents_.followers(recorded)) {
     documents_[i].keepFrozenCamera();
     documents_[i].camera.path = file;

@@ -16,13 +16,13 @@ namespace {
 constexpr std::uint64_t kMaxSettingsBytes = 4U << 20U;
 constexpr const char* kFileName = "view.json";
 
-nlohmann::json poseJson(const Pose& pose) {
+nlohmann::json poseJson(const WorldPose& pose) {
   return {pose.eye.x, pose.eye.y, pose.eye.z, pose.look.x, pose.look.y, pose.look.z};
 }
 
-std::optional<Pose> poseFrom(const nlohmann::json& json) {
-  const auto n = json.get<std::array<float, 6>>();
-  const Pose pose{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+std::optional<WorldPose> poseFrom(const nlohmann::json& json) {
+  const auto n = json.get<std::array<double, 6>>();
+  const WorldPose pose{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
   return isUsable(pose) ? std::optional(pose) : std::nullopt;
 }
 
@@ -93,7 +93,7 @@ ViewSettings loadSettings(const std::filesystem::path& folder) noexcept {
 void mergeBookmarks(ViewSettings& settings, const ViewSettings& others) {
   for (const auto& [file, marks] : others.bookmarks)
     for (std::size_t i = 0; i < kBookmarks; ++i)
-      if (std::optional<Pose>& mark = settings.bookmarks[file][i]; !mark) mark = marks[i];
+      if (std::optional<WorldPose>& mark = settings.bookmarks[file][i]; !mark) mark = marks[i];
 }
 
 void saveSettings(const ViewSettings& settings, const std::filesystem::path& folder) {

@@ -14,7 +14,7 @@
 namespace jalousie::app {
 
 inline constexpr std::size_t kBookmarks = 9;
-using Bookmarks = std::array<std::optional<Pose>, kBookmarks>;
+using Bookmarks = std::array<std::optional<WorldPose>, kBookmarks>;
 
 inline constexpr float kLeastSpeed = 0.01F;
 inline constexpr float kMostSpeed = 100.0F;

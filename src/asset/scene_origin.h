@@ -1,0 +1,17 @@
+// The point that a scene's transforms are relative to.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+
+#include "asset/scene_types.h"
+
+namespace jalousie::asset::detail {
+
+/// Places instances and cameras relative to the middle of a scene that is more than 16 of its diagonals away from the
+/// document's origin, and sets SceneFile::originWorld. A float has 24 digits: at a distance of 10^6 it knows places to
+/// 1/16. Other scenes stay as they are.
+/// @param places  [instances] exact world positions of the instances' origins
+void placeNearOrigin(SceneFile& scene, std::span<const glm::dvec3> places);
+
+}  // namespace jalousie::asset::detail
