@@ -211,21 +211,44 @@ Budget budgetOf(DetailInput object, float lv, bool calm, bool counted) {
 
 /// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
 /// A price above that of tau relaxes the limit of the largest deviation as a larger tau would: the budget precedes it.
-/// @param margin  scales tau; below 1 also the limit of the largest deviation
-Price priceOf(Budget budget, float margin) {
+/// @param margin  scales tau; below 1 also the limit of the largest deviation   @param factor  of kTrianglePrice
+Price priceOf(Budget budget, float margin, float factor) {
   float tau = budget.tau * margin;
-  float factor = 1.0;
-  if (cullView.triangleBudget > 0u) {
-    float middle = 0.5 * (priceState.logFine + priceState.logCoarse);
-    factor = exp(margin < 1.0 ? priceState.logFine : margin > 1.0 ? priceState.logCoarse : middle);
-  }
   return Price(budget.pixels, kTrianglePrice * tau * tau * factor * budget.masking,
                budget.maxError * min(margin, 1.0) * max(sqrt(factor), 1.0));
 }
 
+/// Factor of kTrianglePrice at tau * margin; 1 without a budget of triangles.
+float priceFactor(float margin) {
+  if (cullView.triangleBudget == 0u) return 1.0;
+  float middle = 0.5 * (priceState.logFine + priceState.logCoarse);
+  if (margin == 1.0) return exp(cullView.calm != 0u ? middle : priceState.logFine);
+  return exp(margin < 1.0 ? priceState.logFine : priceState.logCoarse);
+}
+
+/// Whether finer levels have a lower price where they add few triangles (PriceState).
+bool pricesSmallSteps() {
+  return cullView.triangleBudget > 0u && cullView.calm == 0u && priceState.logCoarse < priceState.logFine;
+}
+
+bool isSmallStep(uint fewer, uint more) {
+  return float(more) - float(fewer) <= kBudgetSmallStep * float(cullView.triangleBudget);
+}
+
+/// Level of the chain at the prices in use.
+uint budgetPricedLod(DetailInput object, Budget budget, float margin) {
+  uint level = pricedLod(object.chain, object.pixelsPerUnit, priceOf(budget, margin, priceFactor(margin)));
+  if (!pricesSmallSteps()) return level;
+  Price price = priceOf(budget, margin, exp(priceState.logCoarse));
+  uint finer = min(pricedLod(object.chain, object.pixelsPerUnit, price), level);
+  uint first = object.chain.firstLod;
+  while (!isSmallStep(lods[first + level].triangleCount, lods[first + finer].triangleCount)) ++finer;
+  return finer;
+}
+
 /// Level of the chain that the budget allows at tau * margin.
 uint budgetLod(DetailInput object, Budget budget, float margin) {
-  if (hasTrait(kTraitPrice)) return pricedLod(object.chain, object.pixelsPerUnit, priceOf(budget, margin));
+  if (hasTrait(kTraitPrice)) return budgetPricedLod(object, budget, margin);
   float tau = budget.tau * margin * budget.masking;
   return relaxedLod(object.chain, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
@@ -235,8 +258,8 @@ uint budgetTessellation(DetailInput object, Budget budget, float margin) {
   Lod patches = lods[object.chain.patchLod];
   float errorPixels = patches.errorObject * object.pixelsPerUnit;
   if (hasTrait(kTraitPrice))
-    return pricedTessellation(errorPixels, float(patches.triangleCount), priceOf(budget, margin),
-                              cullView.maxTessellation);
+    return pricedTessellation(errorPixels, float(patches.triangleCount),
+                              priceOf(budget, margin, priceFactor(margin)), cullView.maxTessellation);
   float tau = budget.tau * margin * budget.masking;
   return pixelErrorTessellation(errorPixels, tau * budget.relaxed, cullView.maxTessellation);
 }

@@ -45,9 +45,11 @@ JAL_ASSERT_SIZE(CullView, 208)
 
 /// What moves the price of a triangle towards a budget from frame to frame (adjust_price.comp).
 struct PriceState {
-  float logFine;    // logarithm of the factor of kTrianglePrice at the fine end of the calm margin, tau / hysteresis
-  float logCoarse;  // and at its coarse end; both are equal where levels are not calm, logFine is larger where the
-                    // margin is narrowed
+  // Logarithms of the factor of kTrianglePrice. Calm levels: at the fine end of the margin, tau / hysteresis, and at
+  // its coarse end; logFine is larger where the margin is narrowed. Else logFine is that of all levels, and logCoarse,
+  // never larger, that of finer levels that add at most kBudgetSmallStep of the budget.
+  float logFine;
+  float logCoarse;
   float gain;       // step of both per unit of lastError
   float lastError;  // logarithm of triangles over budget in the last frame
 };

@@ -70,6 +70,10 @@ const float kMarginRecovery = 1.0 / 64.0;
 const float kGainGrowth = 1.5;
 /// Growth of the logarithm in one frame that a cut of the camera makes and no step of the price: the gain starts again.
 const float kBudgetJump = 0.25;
+/// Without calm levels, where the gain is at its least below the budget: share of the budget that a finer level of one
+/// object may add, and the gain of the price of such levels.
+const float kBudgetSmallStep = 1.0 / 64.0;
+const float kSmallStepGain = 1.0;
 /// Largest step in one frame, and the range of the logarithm of the factor.
 const float kMostLogStep = 1.0;
 const float kMostLogFactor = 24.0;

@@ -33,6 +33,17 @@ void move(float step, float widest) {
   }
 }
 
+/// Without calm levels. Above the budget, levels that are finer by the price of small steps go first. Below it, all
+/// levels follow, or where this came to rest only those of small steps.
+void moveAll(float error, float gain) {
+  bool rests = gain <= kLeastGain;
+  float step = clamp((rests ? kSmallStepGain : gain) * error, -kMostLogStep, kMostLogStep);
+  price.logCoarse = clamp(price.logCoarse + step, -kMostLogFactor, kMostLogFactor);
+  if (step < 0.0 && !rests) price.logFine = max(price.logFine + step, -kMostLogFactor);
+  if (step > 0.0) price.logFine = max(price.logFine, price.logCoarse);
+  price.logCoarse = min(price.logCoarse, price.logFine);
+}
+
 void recover(float widest) {
   float step = min(kMarginRecovery * widest, 0.5 * (price.logFine - price.logCoarse));
   price.logFine -= step;
@@ -43,15 +54,18 @@ void main() {
   float triangles = budgetSum(kBudgetWanted) + budgetSum(kBudgetWanted + 2u);
   float error = log(max(triangles, 1.0) / float(cullView.triangleBudget));
   float gain = gainOf(error);
-  float widest = cullView.calm != 0u ? 4.0 * log(cullView.hysteresis) : 0.0;
-  if (price.logFine - price.logCoarse > widest) {
+  bool calm = cullView.calm != 0u;
+  float widest = calm ? 4.0 * log(cullView.hysteresis) : 0.0;
+  if (calm && price.logFine - price.logCoarse > widest) {
     float middle = 0.5 * (price.logFine + price.logCoarse);
     price.logFine = middle + 0.5 * widest;
     price.logCoarse = middle - 0.5 * widest;
   }
   bool within = abs(error) <= kBudgetTolerance;
-  if (!within && !(error < 0.0 && gain <= kLeastGain)) move(clamp(gain * error, -kMostLogStep, kMostLogStep), widest);
-  if (within) recover(widest);
+  if (!within && !calm) moveAll(error, gain);
+  if (!within && calm && !(error < 0.0 && gain <= kLeastGain))
+    move(clamp(gain * error, -kMostLogStep, kMostLogStep), widest);
+  if (within && calm) recover(widest);
   price.gain = gain;
   price.lastError = error;
 }

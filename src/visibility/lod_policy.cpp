@@ -206,18 +206,29 @@ Budget budgetOf(const gpu::CullView& view, const DetailInput& object, float lv, 
 
 /// Triangles cost more by the masking, which chooses the same level as errors that count less by it.
 /// A price above that of tau relaxes the limit of the largest deviation as a larger tau would: the budget precedes it.
-/// @param margin  scales tau; below 1 also the limit of the largest deviation
-Price priceOf(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
+/// @param margin  scales tau; below 1 also the limit of the largest deviation   @param factor  of kTrianglePrice
+Price priceOf(const Budget& budget, float margin, float factor) {
   const float tau = budget.tau * margin;
-  const float factor = priceFactor(object.price, view, margin);
   return {budget.pixels, gpu::kTrianglePrice * tau * tau * factor * budget.masking,
           budget.maxError * std::min(margin, 1.0F) * std::max(std::sqrt(factor), 1.0F)};
 }
 
+/// Level of the chain at the prices in use.
+std::uint32_t budgetPricedLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget,
+                              float margin) {
+  const std::uint32_t level =
+      pricedLod(object.levels, object.pixelsPerUnit, priceOf(budget, margin, priceFactor(object.price, view, margin)));
+  if (!pricesSmallSteps(object.price, view)) return level;
+  const Price price = priceOf(budget, margin, std::exp(object.price.logCoarse));
+  std::uint32_t finer = std::min(pricedLod(object.levels, object.pixelsPerUnit, price), level);
+  while (!isSmallStep(object.levels[level].triangleCount, object.levels[finer].triangleCount, view))
+    ++finer;
+  return finer;
+}
+
 /// Level of the chain that the budget allows at tau * margin.
 std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
-  if (has(view.traits, gpu::kTraitPrice))
-    return pricedLod(object.levels, object.pixelsPerUnit, priceOf(view, object, budget, margin));
+  if (has(view.traits, gpu::kTraitPrice)) return budgetPricedLod(view, object, budget, margin);
   const float tau = budget.tau * margin * budget.masking;
   return relaxedLod(object.levels, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
@@ -228,7 +239,7 @@ std::uint32_t budgetTessellation(const gpu::CullView& view, const DetailInput& o
   const float errorPixels = object.patches.errorObject * object.pixelsPerUnit;
   if (has(view.traits, gpu::kTraitPrice))
     return pricedTessellation(errorPixels, static_cast<float>(object.patches.triangleCount),
-                              priceOf(view, object, budget, margin), view.maxTessellation);
+                              priceOf(budget, margin, priceFactor(object.price, view, margin)), view.maxTessellation);
   const float tau = budget.tau * margin * budget.masking;
   return pixelErrorTessellation(errorPixels, tau * budget.relaxed, view.maxTessellation);
 }

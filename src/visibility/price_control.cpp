@@ -30,6 +30,17 @@ void move(gpu::PriceState& price, float step, float widest) {
   }
 }
 
+/// Without calm levels. Above the budget, levels that are finer by the price of small steps go first. Below it, all
+/// levels follow, or where this came to rest only those of small steps.
+void moveAll(gpu::PriceState& price, float error, float gain) {
+  const bool rests = gain <= gpu::kLeastGain;
+  const float step = std::clamp((rests ? gpu::kSmallStepGain : gain) * error, -gpu::kMostLogStep, gpu::kMostLogStep);
+  price.logCoarse = std::clamp(price.logCoarse + step, -gpu::kMostLogFactor, gpu::kMostLogFactor);
+  if (step < 0.0F && !rests) price.logFine = std::max(price.logFine + step, -gpu::kMostLogFactor);
+  if (step > 0.0F) price.logFine = std::max(price.logFine, price.logCoarse);
+  price.logCoarse = std::min(price.logCoarse, price.logFine);
+}
+
 void recover(gpu::PriceState& price, float widest) {
   const float step = std::min(gpu::kMarginRecovery * widest, 0.5F * (price.logFine - price.logCoarse));
   price.logFine -= step;
@@ -46,16 +57,18 @@ gpu::PriceState adjustPrice(gpu::PriceState price, float triangles, const gpu::C
   JAL_CHECK(view.triangleBudget > 0U);
   const float error = std::log(std::max(triangles, 1.0F) / static_cast<float>(view.triangleBudget));
   const float gain = gainOf(price, error);
-  const float widest = view.calm != 0 ? 4.0F * std::log(view.hysteresis) : 0.0F;
-  if (price.logFine - price.logCoarse > widest) {
+  const bool calm = view.calm != 0;
+  const float widest = calm ? 4.0F * std::log(view.hysteresis) : 0.0F;
+  if (calm && price.logFine - price.logCoarse > widest) {
     const float middle = 0.5F * (price.logFine + price.logCoarse);
     price.logFine = middle + 0.5F * widest;
     price.logCoarse = middle - 0.5F * widest;
   }
   const bool within = std::abs(error) <= gpu::kBudgetTolerance;
-  if (!within && !(error < 0.0F && gain <= gpu::kLeastGain))
+  if (!within && !calm) moveAll(price, error, gain);
+  if (!within && calm && !(error < 0.0F && gain <= gpu::kLeastGain))
     move(price, std::clamp(gain * error, -gpu::kMostLogStep, gpu::kMostLogStep), widest);
-  if (within) recover(price, widest);
+  if (within && calm) recover(price, widest);
   price.gain = gain;
   price.lastError = error;
   return price;
@@ -63,8 +76,18 @@ gpu::PriceState adjustPrice(gpu::PriceState price, float triangles, const gpu::C
 
 float priceFactor(const gpu::PriceState& price, const gpu::CullView& view, float margin) {
   if (view.triangleBudget == 0) return 1.0F;
-  if (margin < 1.0F) return std::exp(price.logFine);
-  return std::exp(margin > 1.0F ? price.logCoarse : 0.5F * (price.logFine + price.logCoarse));
+  const float middle = 0.5F * (price.logFine + price.logCoarse);
+  if (margin == 1.0F) return std::exp(view.calm != 0 ? middle : price.logFine);
+  return std::exp(margin < 1.0F ? price.logFine : price.logCoarse);
+}
+
+bool pricesSmallSteps(const gpu::PriceState& price, const gpu::CullView& view) {
+  return view.triangleBudget > 0 && view.calm == 0 && price.logCoarse < price.logFine;
+}
+
+bool isSmallStep(gpu::uint fewer, gpu::uint more, const gpu::CullView& view) {
+  return static_cast<float>(more) - static_cast<float>(fewer) <=
+         gpu::kBudgetSmallStep * static_cast<float>(view.triangleBudget);
 }
 
 }  // namespace jalousie::visibility

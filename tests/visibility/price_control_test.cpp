@@ -31,15 +31,23 @@ struct Crowd {
     }
   }
 
-  /// @param zoom  of the camera   @param factor  of the price
-  std::uint64_t triangles(float zoom, float factor) const {
+  /// Triangles as chooseDetail chooses them. @param zoom  of the camera
+  std::uint64_t triangles(float zoom, const gpu::PriceState& price) const {
+    const auto at = [&](std::size_t i, float factor) {
+      return pricedLod(chain, pixelsPerUnit[i] * zoom, {pixels[i] * zoom * zoom, gpu::kTrianglePrice * factor, 1e9F});
+    };
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const Price price{pixels[i] * zoom * zoom, gpu::kTrianglePrice * factor, 1e9F};
-      sum += chain[pricedLod(chain, pixelsPerUnit[i] * zoom, price)].triangleCount;
+      const gpu::uint usual = at(i, priceFactor(price, view));
+      gpu::uint finer = pricesSmallSteps(price, view) ? at(i, std::exp(price.logCoarse)) : usual;
+      while (!isSmallStep(chain[usual].triangleCount, chain[finer].triangleCount, view))
+        ++finer;
+      sum += chain[finer].triangleCount;
     }
     return sum;
   }
+
+  gpu::CullView view{};
 
   std::vector<gpu::Lod> chain;
   std::vector<float> pixels;
@@ -47,15 +55,14 @@ struct Crowd {
 };
 
 /// Triangles over the budget, frame by frame.
-std::vector<double> simulate(const Crowd& crowd, gpu::uint budget, const std::function<float(int)>& zoomOf) {
-  gpu::CullView view{};
-  view.triangleBudget = budget;
+std::vector<double> simulate(Crowd crowd, gpu::uint budget, const std::function<float(int)>& zoomOf) {
+  crowd.view.triangleBudget = budget;
   gpu::PriceState price = firstPrice();
   std::vector<double> shares;
   for (int frame = 0; frame < 100; ++frame) {
-    const std::uint64_t triangles = crowd.triangles(zoomOf(frame), priceFactor(price, view));
+    const std::uint64_t triangles = crowd.triangles(zoomOf(frame), price);
     shares.push_back(static_cast<double>(triangles) / budget);
-    price = adjustPrice(price, static_cast<float>(triangles), view);
+    price = adjustPrice(price, static_cast<float>(triangles), crowd.view);
   }
   return shares;
 }
@@ -102,19 +109,41 @@ TEST(PriceControl, WhereTheLevelsAllowNothingCloserAStillViewRestsBelow) {
   }
 }
 
+TEST(PriceControl, StepsOfOneLargeObjectDoNotKeepAStillViewBelowItsBudget) {
+  Crowd crowd(200);
+  // One object at hand, whose levels are a third of the budget and more apart.
+  for (float& pixels : crowd.pixels)
+    pixels *= 0.01F;
+  crowd.pixels[0] = 1e5F;
+  crowd.pixelsPerUnit[0] = 40.0F;
+  int large = 0;
+  for (const gpu::uint budget : {20000U, 30000U, 45000U, 70000U, 100000U}) {
+    gpu::PriceState price = firstPrice();
+    crowd.view.triangleBudget = budget;
+    std::uint64_t triangles = 0;
+    for (int frame = 0; frame < 120; ++frame) {
+      triangles = crowd.triangles(1.0F, price);
+      price = adjustPrice(price, static_cast<float>(triangles), crowd.view);
+    }
+    EXPECT_NEAR(static_cast<double>(triangles) / budget, 1.0, 0.02) << budget;
+    large += pricesSmallSteps(price, crowd.view) ? 1 : 0;
+  }
+  EXPECT_GE(large, 2) << "the case must occur";
+}
+
 TEST(PriceControl, ABudgetOutOfReachNeitherOverflowsNorStays) {
-  const Crowd crowd(10);
-  gpu::CullView view{};
+  Crowd crowd(10);
+  gpu::CullView& view = crowd.view;
   gpu::PriceState price = firstPrice();
   for (const gpu::uint budget : {1U, 0xffffffffU}) {
     view.triangleBudget = budget;
     for (int frame = 0; frame < 200; ++frame) {
-      const std::uint64_t triangles = crowd.triangles(1.0F, priceFactor(price, view));
+      const std::uint64_t triangles = crowd.triangles(1.0F, price);
       price = adjustPrice(price, static_cast<float>(triangles), view);
     }
     EXPECT_EQ(std::abs(price.logFine), gpu::kMostLogFactor);
     EXPECT_EQ(price.logCoarse, price.logFine);
-    EXPECT_EQ(crowd.triangles(1.0F, priceFactor(price, view)), 10U * crowd.chain[budget == 1 ? 9 : 0].triangleCount);
+    EXPECT_EQ(crowd.triangles(1.0F, price), 10U * crowd.chain[budget == 1 ? 9 : 0].triangleCount);
   }
   view.triangleBudget = 0;
   EXPECT_EQ(priceFactor(price, view), 1.0F) << "without a budget the price is that of tau";
