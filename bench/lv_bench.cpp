@@ -95,6 +95,7 @@ struct LoadedScene {
   LoadedScene(const std::string& path, bool divide) : name(path) {
     const asset::SceneFile file = asset::readSceneFile(path);
     whole = scene::buildScene(file);
+    if (whole.objects.empty()) throw Error(ErrorCode::kUnsupported, "the scene has no triangles", path);
     if (divide) divided = scene::buildScene(file, {.cells = {scene::CellOptions::Kind::kAutomatic}});
   }
 };

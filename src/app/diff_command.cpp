@@ -166,7 +166,7 @@ void addDiffOptions(CLI::App& command, DiffOptions& o) {
             "from 0.7 m; pixels per degree of visual angle");
   cli::addForceOption(command, o.replace);
   cli::addMemoryOption(command, o.memory);
-  command.footer(R"(The alpha channel is ignored.
+  command.footer(R"(The alpha channel is ignored. SSIM needs pictures of at least 8x8 pixels.
 Examples:
   jalousie diff finest.png lod.png
   jalousie diff finest.png lod.png -o error.png --json figures.json

@@ -56,7 +56,7 @@ std::string rulesWithError() {
 std::string defaultMeasures() {
   std::string text;
   for (const LodRuleRow& rule : lodRuleTable())
-    if (rule.followsLv)
+    if (rule.followsLv && rule.measure != LvMeasure::kPixels)
       text += fmt::format("{}{}: {}", text.empty() ? " [" : ", ", rule.name, rowOf(rule.measure).name);
   return text + ", otherwise: pixels]";
 }
