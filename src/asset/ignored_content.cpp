@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "asset/lod_chain.h"
 #include "asset/scene_material.h"
 
 namespace jalousie::asset {
@@ -36,6 +37,7 @@ class Counter {
       countMesh(mesh);
     for (const tinygltf::Node& node : model_.nodes)
       countNode(node);
+    countNestedLevels();
     for (const tinygltf::Animation& animation : model_.animations)
       countAnimation(animation);
     for (const std::string& name : model_.extensionsUsed)  // those of the document alone
@@ -86,6 +88,31 @@ class Counter {
     countExtensions(node.extensions);
     countIf(node.camera >= 0 && model_.cameras[static_cast<std::size_t>(node.camera)].type == "orthographic",
             "orthographic cameras");
+  }
+
+  /// Nodes with levels below a group with levels, or below a level of one: they are shown at LOD 0.
+  void countNestedLevels() {
+    std::vector<int> stack;
+    const auto addChildren = [&](int node) {
+      const std::vector<int>& children = model_.nodes[static_cast<std::size_t>(node)].children;
+      stack.insert(stack.end(), children.begin(), children.end());
+    };
+    for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+      const int node = static_cast<int>(n);
+      if (!isLodGroup(model_, node)) continue;
+      addChildren(node);
+      for (const int level : lodIds(model_, node))
+        addChildren(level);
+    }
+    std::vector<bool> isKnown(model_.nodes.size(), false);
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      if (isKnown[static_cast<std::size_t>(node)]) continue;
+      isKnown[static_cast<std::size_t>(node)] = true;
+      countIf(!lodIds(model_, node).empty(), "levels inside of groups with levels");
+      addChildren(node);
+    }
   }
 
   /// Channels that move something else than a camera.

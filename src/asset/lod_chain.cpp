@@ -232,7 +232,7 @@ void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNod
   }
 }
 
-std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
+std::vector<int> lodIds(const tinygltf::Model& model, int node) {
   detail::requireIndex(node, model.nodes.size(), "node");
   const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
   const auto found = extensions.find(kExtension);
@@ -245,7 +245,8 @@ std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
     if (!id.IsInt()) malformed(fmt::format("node {}: MSFT_lod id is not an integer", node));
     const int lower = id.Get<int>();
     detail::requireIndex(lower, model.nodes.size(), fmt::format("node {}: MSFT_lod node", node));
-    if (model.nodes[static_cast<std::size_t>(lower)].mesh < 0)
+    const tinygltf::Node& level = model.nodes[static_cast<std::size_t>(lower)];
+    if (level.mesh < 0 && level.children.empty())
       malformed(fmt::format("node {}: MSFT_lod node {} has no mesh", node, lower));
     nodes.push_back(lower);
   }
@@ -255,6 +256,26 @@ std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
     malformed(fmt::format("node {}: MSFT_lod names a node twice", node));
   return nodes;
+}
+
+namespace {
+
+bool haveMeshes(const tinygltf::Model& model, int node, const std::vector<int>& levels) {
+  const auto hasMesh = [&](int of) { return model.nodes[static_cast<std::size_t>(of)].mesh >= 0; };
+  return hasMesh(node) && std::all_of(levels.begin(), levels.end(), hasMesh);
+}
+
+}  // namespace
+
+bool isLodGroup(const tinygltf::Model& model, int node) {
+  const std::vector<int> levels = lodIds(model, node);
+  return !levels.empty() && !haveMeshes(model, node, levels);
+}
+
+std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
+  std::vector<int> levels = lodIds(model, node);
+  if (!haveMeshes(model, node, levels)) levels.clear();
+  return levels;
 }
 
 std::vector<float> lodCoverage(const tinygltf::Node& node) {

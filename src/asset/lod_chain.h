@@ -87,8 +87,13 @@ inline std::size_t cellCount(const CellTriangles& cells) {
 /// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares
 /// MSFT_lod in model.extensionsUsed.
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage);
-/// Node indices of LOD 1, 2, ...; empty without MSFT_lod. Errors: kMalformed (index out of range, a node twice or
-/// itself, a node without a mesh).
+/// Node indices of LOD 1, 2, ... as MSFT_lod lists them; empty without. Errors: kMalformed (index out of range, a node
+/// twice or itself, a node with neither a mesh nor nodes below it).
+std::vector<int> lodIds(const tinygltf::Model& model, int node);
+/// Whether the levels of a node are groups: the node or one of them has no mesh of its own. Each level then stands for
+/// all meshes below its node. Else the levels are single meshes. Errors: as lodIds.
+bool isLodGroup(const tinygltf::Model& model, int node);
+/// lodIds of a chain of single meshes; empty for a group. Errors: as lodIds.
 std::vector<int> lodNodes(const tinygltf::Model& model, int node);
 /// extras.MSFT_screencoverage; empty if absent.
 std::vector<float> lodCoverage(const tinygltf::Node& node);
