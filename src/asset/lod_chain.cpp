@@ -286,4 +286,17 @@ std::vector<float> lodCoverage(const tinygltf::Node& node) {
   return levels;
 }
 
+std::vector<float> lodThresholds(const tinygltf::Node& node, std::size_t levels) {
+  if (!node.extras.IsObject() || !node.extras.Get(kCoverage).IsArray()) return {};
+  std::vector<float> thresholds;
+  for (const tinygltf::Value& value : node.extras.Get(kCoverage).Get<tinygltf::Value::Array>()) {
+    const auto threshold = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : -1.0F;
+    const float last = thresholds.empty() ? std::numeric_limits<float>::max() : thresholds.back();
+    if (!(threshold >= 0.0F && threshold <= last)) return {};
+    thresholds.push_back(threshold);
+  }
+  if (thresholds.size() > levels) thresholds.resize(levels);
+  return thresholds;
+}
+
 }  // namespace jalousie::asset

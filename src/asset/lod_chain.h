@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace jalousie::asset {
@@ -95,7 +96,22 @@ std::vector<int> lodIds(const tinygltf::Model& model, int node);
 bool isLodGroup(const tinygltf::Model& model, int node);
 /// lodIds of a chain of single meshes; empty for a group. Errors: as lodIds.
 std::vector<int> lodNodes(const tinygltf::Model& model, int node);
-/// extras.MSFT_screencoverage; empty if absent.
+/// extras.MSFT_screencoverage as it is, with 0 for what is no number; empty if absent.
 std::vector<float> lodCoverage(const tinygltf::Node& node);
+/// The same for choosing levels: for each of the first levels the least share of the screen at which it is drawn.
+/// Empty if it is absent or broken: not all numbers are finite and at least 0, or one is larger than the one before it.
+/// @param levels  of the chain; values beyond them are left out
+std::vector<float> lodThresholds(const tinygltf::Node& node, std::size_t levels);
+
+/// What tells chains apart: nodes with equal keys share a chain.
+template <class Level>
+struct ChainKey {
+  std::vector<Level> levels;
+  std::vector<float> coverage;  ///< lodThresholds
+
+  friend bool operator<(const ChainKey& a, const ChainKey& b) {
+    return std::tie(a.levels, a.coverage) < std::tie(b.levels, b.coverage);
+  }
+};
 
 }  // namespace jalousie::asset

@@ -134,20 +134,24 @@ class SceneReader {
 
   /// Index of the node's chain, made if new; nullopt if LOD 0 has no triangles.
   std::optional<std::uint32_t> chainOf(int node) {
-    std::vector<ShownMesh> key = {shownMesh(model_, node)};
+    ChainKey<ShownMesh> key;
+    key.levels = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(model_, lower));
+      key.levels.push_back(shownMesh(model_, lower));
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
     const auto known = chainIndex_.find(key);
     if (known != chainIndex_.end()) return known->second;
 
-    const std::optional<std::uint32_t> index = addChain(makeChain(key), node);
+    const std::optional<std::uint32_t> index = addChain(makeChain(key.levels), key.coverage, node);
     chainIndex_.emplace(std::move(key), index);
     return index;
   }
 
   /// Index of the chain; nullopt if it has no level.
-  std::optional<std::uint32_t> addChain(Chain chain, int node) {
+  std::optional<std::uint32_t> addChain(Chain chain, const std::vector<float>& coverage, int node) {
     if (chain.levels.empty()) return std::nullopt;
+    chain.coverage = coverage;
+    chain.coverage.resize(std::min(coverage.size(), chain.levels.size()));
     const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
     const bool isNamed = !source.name.empty() || source.mesh < 0;
     chain.name = isNamed ? source.name : model_.meshes[static_cast<std::size_t>(source.mesh)].name;
@@ -157,11 +161,14 @@ class SceneReader {
 
   /// As chainOf, for a group.
   std::optional<std::uint32_t> groupChainOf(int node, const glm::dmat4& worldFromNode) {
-    std::vector<detail::GroupLevel> key = groups_.levelsOf(node);
+    ChainKey<detail::GroupLevel> key;
+    key.levels = groups_.levelsOf(node);
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
     const auto known = groupIndex_.find(key);
     if (known != groupIndex_.end()) return known->second;
 
-    const std::optional<std::uint32_t> index = addChain(makeGroupChain(key, {node, worldFromNode}), node);
+    const std::optional<std::uint32_t> index =
+        addChain(makeGroupChain(key.levels, {node, worldFromNode}), key.coverage, node);
     groupIndex_.emplace(std::move(key), index);
     return index;
   }
@@ -274,9 +281,9 @@ class SceneReader {
   SceneFile scene_;
   std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
   std::map<ShownMesh, std::optional<PosedMesh>> meshes_;
-  std::map<std::vector<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
+  std::map<ChainKey<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
   std::map<detail::GroupLevel, GroupMesh> groupMeshes_;
-  std::map<std::vector<detail::GroupLevel>, std::optional<std::uint32_t>> groupIndex_;
+  std::map<ChainKey<detail::GroupLevel>, std::optional<std::uint32_t>> groupIndex_;
 };
 
 SceneFile read(const Model& model, const std::filesystem::path& path, const Limits& limits, Keep keep,

@@ -108,11 +108,13 @@ class Counter {
 
   /// Chains of equal meshes are one.
   void countChain(int node) {
-    std::vector<ShownMesh> key = {shownMesh(model_, node)};
+    ChainKey<ShownMesh> key;
+    key.levels = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(model_, lower));
+      key.levels.push_back(shownMesh(model_, lower));
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
     std::vector<MeshSize> levels;
-    for (const ShownMesh& mesh : key)
+    for (const ShownMesh& mesh : key.levels)
       levels.push_back(countMesh(mesh));
     if (chains_.insert(std::move(key)).second) addChain(levels);
   }
@@ -129,9 +131,11 @@ class Counter {
   }
 
   void countGroup(int node) {
-    std::vector<detail::GroupLevel> key = groups_.levelsOf(node);
+    ChainKey<detail::GroupLevel> key;
+    key.levels = groups_.levelsOf(node);
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
     std::vector<MeshSize> levels;
-    for (const detail::GroupLevel& level : key)
+    for (const detail::GroupLevel& level : key.levels)
       levels.push_back(countLevel(level));
     ++size_.instances;
     size_.finestTriangles += levels.front().indices / 3;
@@ -202,10 +206,10 @@ class Counter {
   SceneSize size_;
   bool hasSecondUvs_ = false;
   std::map<ShownMesh, MeshSize> meshes_;
-  std::set<std::vector<ShownMesh>> chains_;
+  std::set<ChainKey<ShownMesh>> chains_;
   detail::LodGroups groups_;
   std::map<detail::GroupLevel, MeshSize> groupLevels_;
-  std::set<std::vector<detail::GroupLevel>> groupChains_;
+  std::set<ChainKey<detail::GroupLevel>> groupChains_;
   std::set<int> cameraNodes_;
 };
 
