@@ -75,11 +75,12 @@ Pose decompose(const glm::dmat4& matrix, int node) {
   constexpr double kTolerance = 1e-5;
   const double shear = std::max({std::abs(glm::dot(linear[0], linear[1])), std::abs(glm::dot(linear[1], linear[2])),
                                  std::abs(glm::dot(linear[0], linear[2]))});
-  if (shear > kTolerance)
+  if (shear > kTolerance) {
     throw Error(ErrorCode::kUnsupported,
                 fmt::format("node {} has a transform with shear, which instances cannot have; apply the transforms of "
                             "the nodes above it to its mesh",
                             node));
+  }
   return {glm::vec3(matrix[3]), glm::quat(glm::quat_cast(linear)), glm::vec3(scale)};
 }
 
@@ -133,11 +134,12 @@ void countIgnored(const Model& model, int index, asset::ContentCounts& ignored) 
 /// Box of all parts, world space of the input.
 Aabb boxOf(const std::vector<SourcePart>& parts) {
   Aabb box;
-  for (const SourcePart& part : parts)
-    for (const Pose& pose : part.poses)
-      box.add(transformed(
-          glm::scale(glm::translate(glm::mat4(1.0F), pose.translation) * glm::mat4_cast(pose.rotation), pose.scale),
-          part.boxObject));
+  for (const SourcePart& part : parts) {
+    for (const Pose& pose : part.poses) {
+      const glm::mat4 turned = glm::translate(glm::mat4(1.0F), pose.translation) * glm::mat4_cast(pose.rotation);
+      box.add(transformed(glm::scale(turned, pose.scale), part.boxObject));
+    }
+  }
   return box;
 }
 

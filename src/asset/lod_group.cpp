@@ -54,7 +54,7 @@ LodGroups::PartKey LodGroups::keyOf(const GroupPart& part, int movedBy) const {
   const bool isInstanced =
       model_.nodes[static_cast<std::size_t>(part.node)].extensions.contains("EXT_mesh_gpu_instancing");
   const bool isUnlike = movedBy >= 0 || part.mesh.posedNode >= 0 || isInstanced;
-  return {part.mesh, isUnlike ? part.node : -1, numbersOf(part.levelFromNode)};
+  return {part.mesh, isUnlike ? part.node : -1, movedBy, numbersOf(part.levelFromNode)};
 }
 
 std::size_t LodGroups::contentOf(int root) {

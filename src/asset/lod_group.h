@@ -55,11 +55,12 @@ class LodGroups {
  private:
   struct PartKey {
     ShownMesh mesh;
-    int node;  ///< where an animation, a skin, morph targets or instances make the part unlike all others; else -1
+    int node;     ///< where an animation, a skin, morph targets or instances make the part unlike all others; else -1
+    int movedBy;  ///< nearest node of it and those above that an animation moves, -1 without
     MatrixNumbers place;
 
     friend bool operator<(const PartKey& a, const PartKey& b) {
-      return std::tie(a.mesh, a.node, a.place) < std::tie(b.mesh, b.node, b.place);
+      return std::tie(a.mesh, a.node, a.movedBy, a.place) < std::tie(b.mesh, b.node, b.movedBy, b.place);
     }
   };
   struct Content {

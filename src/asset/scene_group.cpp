@@ -86,6 +86,7 @@ void GroupReader::addPart(const GroupPart& part, const glm::dmat4& groupFromMesh
                           LevelMesh& level) {
   const Mesh mesh = readMesh(model_, part.mesh.mesh, context);
   if (mesh.primitives.empty()) return;
+  ++level.parts;
   const InstanceTransforms instances = readInstances(model_, part.node, limits_);
   const std::uint64_t copies = std::max<std::uint64_t>(instances.count, 1);
   double scale = 0.0;
@@ -108,7 +109,6 @@ LevelMesh GroupReader::read(const GroupLevel& level, const GroupPlace& place, co
   LevelMesh result;
   result.mesh.name = model_.nodes[static_cast<std::size_t>(level.node)].name;
   for (const GroupPart& part : groups_.parts(level.content, local)) {
-    ++result.parts;
     const bool isSkinned = model_.nodes[static_cast<std::size_t>(part.node)].skin >= 0;
     const glm::dmat4 groupFromMesh =
         isSkinned ? glm::inverse(place.worldFromGroup) : groupFromLevelNode * part.levelFromNode;

@@ -15,14 +15,15 @@
 
 namespace jalousie::asset::detail {
 
-/// A mesh with each vertex moved. Triangles and normals keep their facing if the transform mirrors. Cells are lost.
+/// A mesh with each vertex moved. Triangles and normals keep their facing if the transform mirrors. Stored cells are
+/// left out.
 /// Errors: kMalformed (a position that is not finite).
 Mesh placedMesh(Mesh mesh, const glm::dmat4& transform);
 
 /// All meshes of a level, in the space of the group's node.
 struct LevelMesh {
   Mesh mesh;              ///< its primitives in the order of the nodes; none if the level has no triangles
-  std::size_t parts = 0;  ///< nodes with meshes
+  std::size_t parts = 0;  ///< nodes with triangles
   /// The largest of the parts' stored errors, with their scale; infinite where a part states none.
   float errorObject = 0.0F;
   std::optional<float> meanErrorObject = 0.0F;  ///< the largest of the stored means; absent where a part states none

@@ -419,8 +419,12 @@ TEST_F(ClassifyGl, CoverageAtItsLimits) {
       for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
         ASSERT_LT(actual[i].state.lod, scene.chains[scene.objects[i].chain].lodCount);
         if (tau == 1.0F) ++drawn[actual[i].state.lod];
-        if (calm == 0 && scene.objects[i].chain == 1) EXPECT_EQ(actual[i].state.lod, 0U);
-        if (calm == 0 && scene.objects[i].chain == 2) EXPECT_LE(actual[i].state.lod, 1U);
+        if (calm == 0 && scene.objects[i].chain == 1) {
+          EXPECT_EQ(actual[i].state.lod, 0U);
+        }
+        if (calm == 0 && scene.objects[i].chain == 2) {
+          EXPECT_LE(actual[i].state.lod, 1U);
+        }
         if (std::isfinite(tau)) compareObject({scene, view, i, last[i], nullptr}, actual[i]);
       }
     }

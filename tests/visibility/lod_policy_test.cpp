@@ -126,11 +126,13 @@ TEST(Coverage, BakedThresholdsMeanOnePixelOnTheScreenTheyAreMadeFor) {
     const float diameter = diagonal / levels[k + 1].errorObject;
     levels[k].leastCoverage = 0.25F * std::numbers::pi_v<float> * diameter * diameter / kScreen;
   }
-  for (float pixelsPerUnit = 1.0F; pixelsPerUnit < 5000.0F; pixelsPerUnit *= 1.0173F)
-    for (const float tau : {0.5F, 1.0F, 3.0F})
+  for (float pixelsPerUnit = 1.0F; pixelsPerUnit < 5000.0F; pixelsPerUnit *= 1.0173F) {
+    for (const float tau : {0.5F, 1.0F, 3.0F}) {
       EXPECT_EQ(coverageLod(levels, sphereCoverage(size, pixelsPerUnit, kScreen) / (tau * tau)),
                 pixelErrorLod(levels, pixelsPerUnit, tau))
           << pixelsPerUnit << " pixels per unit, tau " << tau;
+    }
+  }
 }
 
 TEST(PixelError, TessellationHalvesTheLevelForFourTimesTheTau) {
