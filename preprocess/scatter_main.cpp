@@ -15,8 +15,10 @@
 #include "core/progress.h"
 #include "core/standard_streams.h"
 #include "scatter/command_line.h"
+#include "scatter/layout.h"
 #include "scatter/report.h"
 #include "scatter/scatter.h"
+#include "scatter/source_asset.h"
 
 namespace {
 
@@ -25,10 +27,18 @@ using namespace jalousie;
 /// Instances as vectors, in the document's buffer while it grows, and in the encoded file; the document itself, its
 /// copy in the result, and the encoded file.
 /// @param documentBytes  of buffers and pictures
-void requireMemory(const scatter::Options& options, std::uint64_t documentBytes) {
+/// @param perObject      instances of meshes that one object becomes
+void requireMemory(const scatter::Options& options, std::uint64_t documentBytes, std::uint64_t perObject) {
   constexpr std::uint64_t kInstanceBytes = 2 * sizeof(glm::vec3) + sizeof(glm::quat);
+  const std::uint64_t most = asset::Limits{}.maxInstances;
+  const std::uint64_t instances = saturatingProduct(options.layout.count, perObject);
+  if (instances > most)
+    throw Error(ErrorCode::kLimit, fmt::format("{} objects of {} meshes are more than {} instances",
+                                               options.layout.count, perObject, most));
   MemoryEstimate needs;
-  needs.add(options.layout.count, 5 * kInstanceBytes, fmt::format("{} objects", options.layout.count));
+  needs.add(instances, 5 * kInstanceBytes, fmt::format("{} instances", instances));
+  needs.add(perObject, sizeof(scatter::Pose) + kInstanceBytes, fmt::format("{} meshes", perObject));
+  needs.add(options.layout.count, sizeof(scatter::Placement), fmt::format("{} objects", options.layout.count));
   needs.add(documentBytes, 3, "the object");
   needs.require(options.memory, options.input);
 }
@@ -42,19 +52,27 @@ std::uint64_t bytesOf(const tinygltf::Model& model) {
   return bytes;
 }
 
+/// One line for each kind of content that is left out.
+void warnIgnored(const scatter::Options& options, const asset::ContentCounts& ignored) {
+  for (const auto& [name, count] : ignored)
+    printError(fmt::format("jalousie-scatter: warning: {}: not scattered: {} {}", oneLine(options.input.string()),
+                           count, name));
+}
+
 void scatterFile(const scatter::Options& options) {
   std::error_code absent;
   const std::uintmax_t fileBytes = std::filesystem::file_size(options.input, absent);
-  requireMemory(options, absent ? 0 : fileBytes);
+  requireMemory(options, absent ? 0 : fileBytes, 1);
   scatter::ScatteredScene scene;
   {
     Progress progress("scattering", options.layout.count, options.quiet);
     tinygltf::Model object = asset::loadGltf(options.input);
-    requireMemory(options, bytesOf(object));
+    requireMemory(options, bytesOf(object), scatter::instancesPerObject(object));
     asset::checkImages(object, options.input);
     scene = scatter::scatterObjects(std::move(object), options, progress);
     asset::saveGlb(scene.model, options.output);
   }
+  if (!options.quiet) warnIgnored(options, scene.summary.ignored);
   if (!options.report.empty()) writeText(options.report, scatter::reportJson(options, scene.summary));
   if (options.report != kStandardOutput && !options.quiet)
     printOutput(fmt::format("{}: {}\n", oneLine(options.output.string()), scatter::reportLine(options, scene.summary)));

@@ -181,7 +181,7 @@ std::optional<Options> parseCommandLine(int argc, const char* const* argv) {
   Given given;
   std::uint64_t seed = 1;
   app.add_option("BAKED", options.input,
-                 "Read this glTF or GLB file and scatter the first mesh of its scene with its LOD chain")
+                 "Read this glTF or GLB file and scatter copies of its scene: all meshes with their LOD chains")
       ->required()
       ->type_name("FILE");
   app.add_option("-o,--output", options.output, "Write this GLB file")->required()->type_name("OUT.glb");

@@ -43,26 +43,43 @@ glm::vec3 randomPlace(float halfSide, Random& random) {
 
 }  // namespace
 
-float sideOf(const Layout& layout, const SourceChain& chain) {
-  return layout.side ? *layout.side : layout.sideDiagonals * chain.diagonal();
+float sideOf(const Layout& layout, const SourceAsset& source) {
+  return layout.side ? *layout.side : layout.sideDiagonals * source.diagonal;
 }
 
-asset::Instances placeObjects(const Layout& layout, const SourceChain& chain, Progress& progress) {
+std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress) {
   constexpr std::uint32_t kProgressStep = 1U << 16U;
   Random random(layout.seed);
-  const float halfSide = 0.5F * sideOf(layout, chain);
-  const Pose& pose = chain.worldFromObject;
-  asset::Instances instances;
+  std::vector<Placement> placements;
+  placements.reserve(layout.count);
   for (std::uint32_t i = 0; i < layout.count; ++i) {
-    const glm::vec3 place = i == 0 ? glm::vec3(0.0F) : randomPlace(halfSide, random);
+    const glm::vec3 place = i == 0 ? glm::vec3(0.0F) : randomPlace(0.5F * side, random);
     const glm::quat turn = randomRotation(layout.rotation, random);
-    const float factor = random.uniform(layout.scale.min, layout.scale.max);
-    const glm::quat rotation = turn * pose.rotation;
-    const glm::vec3 scale = factor * pose.scale;
-    instances.translations.push_back(place - rotation * (scale * chain.boxObject.center()));
-    instances.rotations.push_back(rotation);
-    instances.scales.push_back(scale);
+    placements.push_back({place, turn, random.uniform(layout.scale.min, layout.scale.max)});
     if (i % kProgressStep == 0) progress.update(i);
+  }
+  return placements;
+}
+
+asset::Instances instancesOf(const std::vector<Placement>& placements, const SourceAsset& source,
+                             const SourcePart& part) {
+  const std::size_t count = placements.size() * part.poses.size();
+  asset::Instances instances;
+  instances.translations.reserve(count);
+  instances.rotations.reserve(count);
+  instances.scales.reserve(count);
+  const bool isSingle = source.isSingle();
+  for (const Placement& placed : placements) {
+    for (const Pose& pose : part.poses) {
+      const glm::quat rotation = placed.turn * pose.rotation;
+      const glm::vec3 scale = placed.factor * pose.scale;
+      // Both are the same but for rounding. A single mesh keeps the bytes that it always had.
+      instances.translations.push_back(
+          isSingle ? placed.place - rotation * (scale * part.boxObject.center())
+                   : placed.place + placed.turn * (placed.factor * (pose.translation - source.center)));
+      instances.rotations.push_back(rotation);
+      instances.scales.push_back(scale);
+    }
   }
   return instances;
 }

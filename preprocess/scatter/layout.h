@@ -2,23 +2,36 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <vector>
 
 #include "asset/instancing.h"
 #include "core/aabb.h"
 #include "core/progress.h"
 #include "scatter/options.h"
-#include "scatter/source_chain.h"
+#include "scatter/source_asset.h"
 
 namespace jalousie::scatter {
 
 /// Side of the cube, world units.
-float sideOf(const Layout& layout, const SourceChain& chain);
+float sideOf(const Layout& layout, const SourceAsset& source);
+
+/// Where an object stands: it is turned and scaled about the centre of its box, which is moved to a place.
+struct Placement {
+  glm::vec3 place;
+  glm::quat turn;
+  float factor;
+};
 
 /// Places layout.count objects. The box's centre of object 0 is at the origin; those of the others are uniform in the
-/// cube [-side/2, side/2]^3. The centre of rotation and scale is the box's centre. Deterministic in layout and chain.
-asset::Instances placeObjects(const Layout& layout, const SourceChain& chain, Progress& progress);
+/// cube [-side/2, side/2]^3. Deterministic in layout and side.
+std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress);
 
-/// Box of all objects, world space; conservative, as it bounds the rotated boxes.
+/// The instances of a part: for each object all poses of the part.
+asset::Instances instancesOf(const std::vector<Placement>& placements, const SourceAsset& source,
+                             const SourcePart& part);
+
+/// Box of some instances, world space; conservative, as it bounds the rotated boxes.
 Aabb boundsOf(const asset::Instances& instances, const Aabb& boxObject);
 
 }  // namespace jalousie::scatter

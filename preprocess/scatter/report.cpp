@@ -35,6 +35,7 @@ std::string reportJson(const Options& options, const Summary& summary) {
   const Layout& layout = options.layout;
   ordered_json report;
   report["objects"] = layout.count;
+  report["meshes_per_object"] = summary.meshesPerObject;
   report["side"] = summary.side;
   report["rotate"] = rotationName(layout.rotation);
   report["scale"] = {layout.scale.min, layout.scale.max};
@@ -50,13 +51,17 @@ std::string reportJson(const Options& options, const Summary& summary) {
   }
   report["bounds"] = {{"min", vectorJson(summary.boundsWorld.min)}, {"max", vectorJson(summary.boundsWorld.max)}};
   report["camera_frames"] = kFrameCount;
+  report["ignored"] = ordered_json::object();
+  for (const auto& [name, count] : summary.ignored)
+    report["ignored"][name] = count;
   return report.dump(2) + "\n";
 }
 
 std::string reportLine(const Options& options, const Summary& summary) {
-  const std::string objects = options.layout.count == 1 ? "1 object"
-                                                        : fmt::format("{} objects in a cube of side {:.4g}",
-                                                                      options.layout.count, summary.side);
+  const std::uint32_t count = options.layout.count;
+  std::string objects = count == 1 ? "1 object" : fmt::format("{} objects", count);
+  if (summary.meshesPerObject > 1) objects += fmt::format(" of {} meshes", summary.meshesPerObject);
+  if (count > 1) objects += fmt::format(" in a cube of side {:.4g}", summary.side);
   return fmt::format("{}, {} triangles at LOD 0", objects, summary.trianglesFull);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -16,7 +17,7 @@
 #include "scatter/camera_path.h"
 #include "scatter/layout.h"
 #include "scatter/occluder.h"
-#include "scatter/source_chain.h"
+#include "scatter/source_asset.h"
 
 namespace jalousie::scatter {
 namespace {
@@ -62,21 +63,52 @@ std::vector<double> numbers(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Adds the chain's nodes; all levels share the instance accessors. @return  the node of LOD 0
-int addObjects(Model& model, std::vector<tinygltf::Mesh> levels, const SourceChain& chain,
-               const asset::Instances& instances) {
-  const tinygltf::Value instancing = asset::appendInstances(model, instances);
-  std::vector<int> nodes;
-  for (std::size_t lod = 0; lod < levels.size(); ++lod) {
-    model.meshes.push_back(std::move(levels[lod]));
-    const std::string name = lod == 0 ? "objects" : fmt::format("objects lod {}", lod);
-    nodes.push_back(addNode(model, name, static_cast<int>(model.meshes.size()) - 1));
-    model.nodes.back().extensions["EXT_mesh_gpu_instancing"] = instancing;
+/// Adds the meshes of an asset to the output, each once.
+class Objects {
+ public:
+  /// @param meshes  of the input
+  Objects(Model& model, const std::vector<tinygltf::Mesh>& meshes) : model_(model), meshes_(meshes) {}
+
+  /// Adds the nodes of a part's chain; all levels share the instance accessors. @return  the node of LOD 0
+  int add(const SourcePart& part, const std::string& name, const asset::Instances& instances) {
+    const tinygltf::Value instancing = asset::appendInstances(model_, instances);
+    std::vector<int> nodes;
+    for (std::size_t lod = 0; lod < part.meshes.size(); ++lod) {
+      const int mesh = meshOf(part.meshes[lod]);
+      nodes.push_back(addNode(model_, lod == 0 ? name : fmt::format("{} lod {}", name, lod), mesh));
+      model_.nodes.back().extensions["EXT_mesh_gpu_instancing"] = instancing;
+      if (lod == 0) model_.nodes.back().weights = part.weights;
+    }
+    std::vector<float> coverage = part.coverage;
+    coverage.resize(nodes.size(), 0.0F);
+    asset::setLodChain(model_, nodes[0], std::span(nodes).subspan(1), coverage);
+    return nodes[0];
   }
-  std::vector<float> coverage = chain.coverage;
-  coverage.resize(nodes.size(), 0.0F);
-  asset::setLodChain(model, nodes[0], std::span(nodes).subspan(1), coverage);
-  return nodes[0];
+
+ private:
+  int meshOf(int source) {
+    const auto [place, isNew] = known_.try_emplace(source, static_cast<int>(model_.meshes.size()));
+    if (isNew) model_.meshes.push_back(meshes_[static_cast<std::size_t>(source)]);
+    return place->second;
+  }
+
+  Model& model_;
+  const std::vector<tinygltf::Mesh>& meshes_;
+  std::map<int, int> known_;  ///< of the input to the output
+};
+
+/// Adds all parts and their bounds. @return  their nodes
+std::vector<int> addParts(Model& model, const std::vector<tinygltf::Mesh>& meshes, const SourceAsset& source,
+                          const std::vector<Placement>& placements, Summary& summary) {
+  Objects objects(model, meshes);
+  std::vector<int> nodes;
+  for (const SourcePart& part : source.parts) {
+    const asset::Instances instances = instancesOf(placements, source, part);
+    const std::string name = source.isSingle() || part.name.empty() ? "objects" : part.name;
+    nodes.push_back(objects.add(part, name, instances));
+    summary.boundsWorld.add(boundsOf(instances, part.boxObject));
+  }
+  return nodes;
 }
 
 int addOccluderMaterial(Model& model, OccluderKind kind) {
@@ -139,27 +171,25 @@ void requireRepresentable(const Aabb& box) {
 
 ScatteredScene scatterObjects(Model input, const Options& options, Progress& progress) {
   const Layout& layout = options.layout;
-  const SourceChain chain = findSourceChain(input);
-  std::vector<tinygltf::Mesh> levels;
-  for (const int mesh : chain.meshes)
-    levels.push_back(input.meshes[static_cast<std::size_t>(mesh)]);
-  const asset::Instances instances = placeObjects(layout, chain, progress);
-
+  const SourceAsset source = findSourceAsset(input);
   ScatteredScene scene;
   Summary& summary = scene.summary;
-  summary.side = sideOf(layout, chain);
-  summary.levels = static_cast<std::uint32_t>(levels.size());
-  summary.trianglesPerObject = chain.triangles[0];
-  summary.trianglesFull = chain.triangles[0] * layout.count;
-  summary.boundsWorld = boundsOf(instances, chain.boxObject);
-  requireRepresentable(summary.boundsWorld);
+  summary.side = sideOf(layout, source);
+  summary.levels = source.levels();
+  summary.meshesPerObject = instancesPerObject(input);
+  summary.trianglesPerObject = source.triangles();
+  summary.trianglesFull = summary.trianglesPerObject * layout.count;
+  summary.ignored = source.ignored;
 
-  const PathSubject subject{layout.count > 1 ? 0.5F * summary.side : 0.0F, 0.5F * layout.scale.max * chain.diagonal(),
-                            options.occluder.has_value()};
   Model& model = scene.model;
+  const std::vector<tinygltf::Mesh> meshes = std::move(input.meshes);
   model = withoutNodes(std::move(input));
   tinygltf::Scene root;
-  root.nodes.push_back(addObjects(model, std::move(levels), chain, instances));
+  root.nodes = addParts(model, meshes, source, placeObjects(layout, summary.side, progress), summary);
+  requireRepresentable(summary.boundsWorld);
+
+  const PathSubject subject{layout.count > 1 ? 0.5F * summary.side : 0.0F, 0.5F * layout.scale.max * source.diagonal,
+                            options.occluder.has_value()};
   if (options.occluder) {
     const auto node = addOccluder(model, *options.occluder, subject, layout.seed, summary);
     if (node) root.nodes.push_back(*node);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "asset/scene_types.h"
 #include "core/aabb.h"
 #include "core/progress.h"
 #include "scatter/options.h"
@@ -14,11 +15,13 @@ namespace jalousie::scatter {
 /// Figures of the scene.
 struct Summary {
   float side = 0.0F;                     ///< world units
-  std::uint32_t levels = 0;              ///< of the LOD chain
+  std::uint32_t levels = 0;              ///< of the longest LOD chain
+  std::uint64_t meshesPerObject = 0;     ///< instances of meshes that an object consists of
   std::uint64_t trianglesPerObject = 0;  ///< LOD 0
   std::uint64_t trianglesFull = 0;       ///< LOD 0 of all objects and the occluder
   std::uint64_t occluderTriangles = 0;
-  Aabb boundsWorld;  ///< objects and occluder
+  Aabb boundsWorld;              ///< objects and occluder
+  asset::ContentCounts ignored;  ///< what of the input is left out
 };
 
 struct ScatteredScene {
@@ -26,9 +29,9 @@ struct ScatteredScene {
   Summary summary;
 };
 
-/// Builds the scene: instances on the nodes of the chain, the occluder, the animated camera. The input's meshes,
-/// materials and images are copied; its other nodes, cameras and animations are not. Errors: as findSourceChain;
-/// kUsage if lengths are not representable with the input's size.
+/// Builds the scene: instances of all meshes of the input with their chains, the occluder, the animated camera. The
+/// input's materials and images are copied; its cameras, lights, skins and animations are not. Errors: as
+/// findSourceAsset; kUsage if lengths are not representable with the input's size.
 ScatteredScene scatterObjects(tinygltf::Model input, const Options& options, Progress& progress);
 
 }  // namespace jalousie::scatter

@@ -64,6 +64,20 @@ uint pixelErrorLod(Chain chain, float pixelsPerUnit, float tau) {
   return 0u;
 }
 
+/// Share of the screen's area that the bounding sphere of a box covers, at the distance of pixelsPerUnit; not clipped.
+float sphereCoverage(vec3 sizeObject, float pixelsPerUnit) {
+  float diameter2 = dot(sizeObject, sizeObject) * pixelsPerUnit * pixelsPerUnit;
+  return kQuarterPi * diameter2 / (float(cullView.viewportWidth) * float(cullView.viewportHeight));
+}
+
+/// Finest level whose threshold an object reaches; the coarsest where none does, LOD 0 where the coverage is not a
+/// number (docs/lod_selection.md).
+uint coverageLod(Chain chain, float coverage) {
+  for (uint level = 0u; level + 1u < chain.lodCount; ++level)
+    if (!(coverage < lods[chain.firstLod + level].leastCoverage)) return level;
+  return chain.lodCount - 1u;
+}
+
 /// Level between the ones that tau and tau * relaxed allow, with the least share * (error / tau)^2 + triangles /
 /// (triangles at tau) (docs/lod_selection.md). A coarser level that saves few triangles is not worth its error.
 uint relaxedLod(Chain chain, float pixelsPerUnit, float tau, float relaxed, float share) {
@@ -246,10 +260,14 @@ uint budgetPricedLod(DetailInput object, Budget budget, float margin) {
   return finer;
 }
 
-/// Level of the chain that the budget allows at tau * margin.
+/// Level of the chain that the budget allows at tau * margin. By coverage, an object counts as tau times smaller.
 uint budgetLod(DetailInput object, Budget budget, float margin) {
   if (hasTrait(kTraitPrice)) return budgetPricedLod(object, budget, margin);
   float tau = budget.tau * margin * budget.masking;
+  if (hasTrait(kTraitCoverage)) {
+    vec3 size = object.chain.boundsMaxObject.xyz - object.chain.boundsMinObject.xyz;
+    return coverageLod(object.chain, sphereCoverage(size, object.pixelsPerUnit) / (tau * tau));
+  }
   return relaxedLod(object.chain, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
 

@@ -42,6 +42,9 @@ const float kSilhouetteShare = 0.5;
 /// less of a mostly occluded object does not change its level.
 const float kPixelGuard = 4.0;
 
+/// Area of a circle over the square of its diameter, for shares of the screen.
+const float kQuarterPi = 0.785398163F;
+
 // One price (docs/lod_selection.md).
 /// Mean error from which a pixel of an object is as wrong as it can be, pixels.
 const float kErrorCap = 2.0;

@@ -68,8 +68,10 @@ struct Lod {
   float errorObject;      // largest deviation from LOD 0, object-space length; of a patch base: its flat triangles from
                           // its own curved surface. Infinite where unknown
   float meanErrorObject;  // mean deviation, ascending along the chain; errorObject where unknown
+  float leastCoverage;    // least share of the screen that the level is drawn at by kTraitCoverage, descending; 0 where
+                          // unknown, so that LOD 0 is drawn
 };
-JAL_ASSERT_SIZE(Lod, 32)
+JAL_ASSERT_SIZE(Lod, 36)
 
 /// Bounds of a cell's triangles at one level, object space. Empty (min > max) where the cell has none at that level.
 struct CellBounds {

@@ -19,6 +19,7 @@ const uint kTraitFollowsError = 256u;  // levels follow the screen-space error
 const uint kTraitFollowsLv = 512u;     // levels follow the level of visibility
 const uint kTraitPrice = 1024u;        // with both: levels have the least sum of visible error and priced triangles
 const uint kTraitMasksError = 2048u;   // with the first: errors count less behind small holes
+const uint kTraitCoverage = 4096u;     // with the first: the share of the screen decides, scaled by tau, not the error
 
 // Visibility measure; none of them: LV stays at its least value.
 const uint kTraitLvThesis = 65536u;     // four DCT coefficients (thesis 3.5)

@@ -47,7 +47,6 @@ struct Setup {
   std::vector<compare::Configuration> configurations;
   std::deque<visibility::ImportanceMask> masks;  ///< a deque, so that the configurations' pointers stay valid
   std::vector<scene::BuildOptions> builds;       ///< of the configurations, each once
-  bool followsError = false;                     ///< some configuration chooses levels by error
 };
 
 void setUp(const CompareOptions& options, Setup& setup) {
@@ -64,7 +63,6 @@ void setUp(const CompareOptions& options, Setup& setup) {
     }
     if (std::find(setup.builds.begin(), setup.builds.end(), configuration.build) == setup.builds.end())
       setup.builds.push_back(configuration.build);
-    setup.followsError = setup.followsError || configuration.followsTau();
     setup.configurations.push_back(std::move(configuration));
   }
 }
@@ -162,11 +160,24 @@ void describeMachine(compare::Plan& plan, const gl::Capabilities& capabilities) 
   plan.gpuTiming = !capabilities.softwareRenderer;
 }
 
+bool followsCoverage(const LodRuleRow& rule) {
+  return rule.followsCoverage;
+}
+
+/// One line for each kind of levels that some configuration cannot judge.
+void warnLevels(const CompareOptions& options, const Setup& setup, const scene::SceneData& scene) {
+  for (const auto concerns : {&usesErrors, &followsCoverage}) {
+    const auto found = std::find_if(setup.configurations.begin(), setup.configurations.end(),
+                                    [&](const compare::Configuration& c) { return concerns(rowOf(c.frame.lodRule)); });
+    if (found != setup.configurations.end()) warnUnknownLevels(options.scene, scene, rowOf(found->frame.lodRule));
+  }
+}
+
 void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes, const asset::Camera& path,
           const gl::Capabilities& capabilities) {
   if (scene::frameCount(path) == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
   warnIgnored(options.scene, scenes.plain.ignored);
-  if (scenes.plain.hasUnmeasuredLevels && setup.followsError) warnUnmeasuredLevels(options.scene);
+  warnLevels(options, setup, scenes.plain);
   for (std::size_t i = 0; i < setup.configurations.size(); ++i) {
     if (!setup.configurations[i].build.patches) continue;
     warnTessellationLimit(options.scene, *scenes.ofConfigurations[i], capabilities, gpu::kMaxTessellationLevel);

@@ -31,6 +31,7 @@ constexpr BuiltIn kBuiltIns[] = {
     {"hom+lv-tessellation", "--mode hom --lod linear --lv thesis --detail tessellation"},
     {"hiz", "--mode hiz --lod pixel-error --cells off"},
     {"hiz-cells", "--mode hiz --lod pixel-error"},
+    {"hiz-coverage", "--mode hiz --lod coverage --cells off"},
     {"hiz-lv-error", "--mode hiz --lod lv-error --cells off"},
     {"default", ""},
     {"calm", "--calm"},
@@ -47,7 +48,7 @@ constexpr Set kSets[] = {
     {"standard", "frustum,hiz,default", "the default and its two baselines"},
     {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "the methods of Kristmann 2022, Fig. 4.6 to 4.10"},
     {"ab", "discrete,tessellation", "LOD chain and Phong tessellation with the same error budget"},
-    {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-lv-error,default,calm,hom+lv,tessellation",
+    {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-coverage,hiz-lv-error,default,calm,hom+lv,tessellation",
      "one configuration of each kind"},
 };
 

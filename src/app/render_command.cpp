@@ -69,8 +69,7 @@ void render(const RenderOptions& options) {
                            options.rendererOptions.capacity.value_or(0)));
   if (!options.quiet)
     warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics.triangles, options.settle);
-  const bool followsError = rowOf(options.frameOptions.lodRule).followsError;
-  if (scene.hasUnmeasuredLevels && followsError && !options.quiet) warnUnmeasuredLevels(options.scene);
+  if (!options.quiet) warnUnknownLevels(options.scene, scene, rowOf(options.frameOptions.lodRule));
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   debug.check();
   writeReport(options, report);

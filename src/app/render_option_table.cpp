@@ -178,7 +178,7 @@ std::vector<RenderOption> levelRows() {
        choice<LodRule, lodRuleTable, lodRuleOf>()},
       {"--tau", "error budget", "pixels",
        "Allow this screen-space error. With --lod price it is a scale of quality: the price of a triangle grows with "
-       "its square",
+       "its square. With --lod coverage an object counts as so many times smaller",
        OptionGroup::kDetail, NumberValue{[](Options& o) -> float& { return o.frameOptions.tau; }, 0.0F, 1000.0F},
        rulesWithError(), followsError},
       {"--lv", "visibility measure", "",

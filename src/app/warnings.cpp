@@ -16,11 +16,14 @@ void warnIgnored(const std::filesystem::path& file, const asset::ContentCounts& 
       fmt::format("jalousie: warning: {}: not drawn: {}", oneLine(file.string()), oneLine(asset::toText(ignored))));
 }
 
-void warnUnmeasuredLevels(const std::filesystem::path& file) {
-  printError(fmt::format(
-      "jalousie: warning: {}: some levels carry no measured error and are never chosen by error; bake the file with "
-      "jalousie-bake",
-      oneLine(file.string())));
+void warnUnknownLevels(const std::filesystem::path& file, const scene::SceneData& scene, const LodRuleRow& rule) {
+  const char* what = nullptr;
+  if (usesErrors(rule) && scene.hasUnmeasuredLevels)
+    what = "some levels carry no measured error and are never chosen by error";
+  if (rule.followsCoverage && scene.hasUncoveredChains)
+    what = "some chains have no valid MSFT_screencoverage and are drawn at LOD 0";
+  if (what == nullptr) return;
+  printError(fmt::format("jalousie: warning: {}: {}; bake the file with jalousie-bake", oneLine(file.string()), what));
 }
 
 void warnSingleFrame(const std::filesystem::path& file) {

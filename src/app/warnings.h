@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gl/capabilities.h"
+#include "policy/lod_rule.h"
 #include "scene/scene_data.h"
 
 namespace jalousie::app {
@@ -12,7 +13,8 @@ namespace jalousie::app {
 /// Says what of a file is not drawn; nothing if everything is.
 void warnIgnored(const std::filesystem::path& file, const asset::ContentCounts& ignored);
 
-void warnUnmeasuredLevels(const std::filesystem::path& file);
+/// Warns of levels that a rule cannot judge: those without a stored error or, by coverage, chains without thresholds.
+void warnUnknownLevels(const std::filesystem::path& file, const scene::SceneData& scene, const LodRuleRow& rule);
 
 /// Says that a camera does not move.
 void warnSingleFrame(const std::filesystem::path& file);

@@ -148,7 +148,6 @@ std::vector<std::size_t> validateMeshes(const Model& model) {
 void validateCells(const Model& model, std::size_t node, int level, const std::vector<std::size_t>& cells) {
   const int finest = model.nodes[node].mesh;
   const int mesh = model.nodes[static_cast<std::size_t>(level)].mesh;
-  if (finest < 0) return;
   const std::size_t expected = cells[static_cast<std::size_t>(finest)];
   const std::size_t found = cells[static_cast<std::size_t>(mesh)];
   if (found != expected)
@@ -171,10 +170,11 @@ void validateInstancing(const Model& model, const tinygltf::Node& node, std::siz
 /// @param cells  of each mesh
 void validateLevels(const Model& model, const std::vector<std::size_t>& cells) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    for (const int level : lodNodes(model, static_cast<int>(i))) {
+    const bool isGroup = isLodGroup(model, static_cast<int>(i));
+    for (const int level : lodIds(model, static_cast<int>(i))) {
       if (model.nodes[static_cast<std::size_t>(level)].extensions.contains("MSFT_lod"))
         malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
-      validateCells(model, i, level, cells);
+      if (!isGroup) validateCells(model, i, level, cells);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "asset/lod_chain.h"
 #include "asset/scene_material.h"
 
 namespace jalousie::asset {
@@ -23,7 +24,15 @@ constexpr std::array kDrawn = {"EXT_mesh_gpu_instancing",   "EXT_meshopt_compres
 
 class Counter {
  public:
-  Counter(const tinygltf::Model& model, bool isTimed) : model_(model), isTimed_(isTimed) {}
+  Counter(const tinygltf::Model& model, bool isTimed)
+      : model_(model),
+        isTimed_(isTimed),
+        parents_(model.nodes.size(), -1),
+        carriesCamera_(model.nodes.size(), false),
+        isAboveCamera_(model.nodes.size(), false),
+        carriesMesh_(model.nodes.size(), false) {
+    findCarriers();
+  }
 
   ContentCounts count() {
     for (const tinygltf::Material& material : model_.materials)
@@ -36,6 +45,7 @@ class Counter {
       countMesh(mesh);
     for (const tinygltf::Node& node : model_.nodes)
       countNode(node);
+    countNestedLevels();
     for (const tinygltf::Animation& animation : model_.animations)
       countAnimation(animation);
     for (const std::string& name : model_.extensionsUsed)  // those of the document alone
@@ -84,18 +94,76 @@ class Counter {
 
   void countNode(const tinygltf::Node& node) { countExtensions(node.extensions); }
 
-  /// Channels that move something else than a camera.
+  /// Nodes with levels below a group with levels, or below a level of one: they are shown at LOD 0.
+  void countNestedLevels() {
+    std::vector<int> stack;
+    const auto addChildren = [&](int node) {
+      const std::vector<int>& children = model_.nodes[static_cast<std::size_t>(node)].children;
+      stack.insert(stack.end(), children.begin(), children.end());
+    };
+    for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+      const int node = static_cast<int>(n);
+      if (!isLodGroup(model_, node)) continue;
+      addChildren(node);
+      for (const int level : lodIds(model_, node))
+        addChildren(level);
+    }
+    std::vector<bool> isKnown(model_.nodes.size(), false);
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      if (isKnown[static_cast<std::size_t>(node)]) continue;
+      isKnown[static_cast<std::size_t>(node)] = true;
+      countIf(!lodIds(model_, node).empty(), "levels inside of groups with levels");
+      addChildren(node);
+    }
+  }
+
+  /// Channels that move something else than a perspective camera.
   void countAnimation(const tinygltf::Animation& animation) {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       if (channel.target_node < 0) continue;  // counted as KHR_animation_pointer
-      const bool isCamera = model_.nodes[static_cast<std::size_t>(channel.target_node)].camera >= 0 &&
-                            (channel.target_path == "translation" || channel.target_path == "rotation");
-      countIf(!isCamera && !isTimed_, "animation channels");
+      countIf(!movesCamerasAlone(channel) && !isTimed_, "animation channels");
     }
+  }
+
+  /// The scale of a camera's own node moves nothing; that of a node above it does.
+  bool movesCamerasAlone(const tinygltf::AnimationChannel& channel) const {
+    const auto node = static_cast<std::size_t>(channel.target_node);
+    const bool isRigid = channel.target_path == "translation" || channel.target_path == "rotation";
+    const bool moves = isRigid ? carriesCamera_[node] : channel.target_path == "scale" && isAboveCamera_[node];
+    return moves && !carriesMesh_[node];
+  }
+
+  /// Marks a node and all nodes above it.
+  void markUpwards(int node, std::vector<bool>& marks) const {
+    for (; node >= 0 && !marks[static_cast<std::size_t>(node)]; node = parents_[static_cast<std::size_t>(node)])
+      marks[static_cast<std::size_t>(node)] = true;
+  }
+
+  /// What the channels of a node move: cameras and meshes, which joints move as well.
+  void findCarriers() {
+    for (std::size_t n = 0; n < model_.nodes.size(); ++n)
+      for (const int child : model_.nodes[n].children)
+        parents_[static_cast<std::size_t>(child)] = static_cast<int>(n);
+    for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+      const tinygltf::Node& node = model_.nodes[n];
+      if (node.mesh >= 0) markUpwards(static_cast<int>(n), carriesMesh_);
+      if (node.camera < 0 || model_.cameras[static_cast<std::size_t>(node.camera)].type != "perspective") continue;
+      markUpwards(static_cast<int>(n), carriesCamera_);
+      markUpwards(parents_[n], isAboveCamera_);
+    }
+    for (const tinygltf::Skin& skin : model_.skins)
+      for (const int joint : skin.joints)
+        markUpwards(joint, carriesMesh_);
   }
 
   const tinygltf::Model& model_;
   bool isTimed_;
+  std::vector<int> parents_;         ///< of each node; -1: none
+  std::vector<bool> carriesCamera_;  ///< the node or one below it is a perspective camera
+  std::vector<bool> isAboveCamera_;  ///< one below it is
+  std::vector<bool> carriesMesh_;    ///< the node or one below it shows a mesh or is a joint
   ContentCounts counts_;
   std::set<std::string> seen_;
 };

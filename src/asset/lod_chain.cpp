@@ -232,7 +232,7 @@ void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNod
   }
 }
 
-std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
+std::vector<int> lodIds(const tinygltf::Model& model, int node) {
   detail::requireIndex(node, model.nodes.size(), "node");
   const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
   const auto found = extensions.find(kExtension);
@@ -245,7 +245,8 @@ std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
     if (!id.IsInt()) malformed(fmt::format("node {}: MSFT_lod id is not an integer", node));
     const int lower = id.Get<int>();
     detail::requireIndex(lower, model.nodes.size(), fmt::format("node {}: MSFT_lod node", node));
-    if (model.nodes[static_cast<std::size_t>(lower)].mesh < 0)
+    const tinygltf::Node& level = model.nodes[static_cast<std::size_t>(lower)];
+    if (level.mesh < 0 && level.children.empty())
       malformed(fmt::format("node {}: MSFT_lod node {} has no mesh", node, lower));
     nodes.push_back(lower);
   }
@@ -257,12 +258,45 @@ std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
   return nodes;
 }
 
+namespace {
+
+bool haveMeshes(const tinygltf::Model& model, int node, const std::vector<int>& levels) {
+  const auto hasMesh = [&](int of) { return model.nodes[static_cast<std::size_t>(of)].mesh >= 0; };
+  return hasMesh(node) && std::all_of(levels.begin(), levels.end(), hasMesh);
+}
+
+}  // namespace
+
+bool isLodGroup(const tinygltf::Model& model, int node) {
+  const std::vector<int> levels = lodIds(model, node);
+  return !levels.empty() && !haveMeshes(model, node, levels);
+}
+
+std::vector<int> lodNodes(const tinygltf::Model& model, int node) {
+  std::vector<int> levels = lodIds(model, node);
+  if (!haveMeshes(model, node, levels)) levels.clear();
+  return levels;
+}
+
 std::vector<float> lodCoverage(const tinygltf::Node& node) {
   if (!node.extras.IsObject() || !node.extras.Get(kCoverage).IsArray()) return {};
   std::vector<float> levels;
   for (const tinygltf::Value& value : node.extras.Get(kCoverage).Get<tinygltf::Value::Array>())
     levels.push_back(value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : 0.0F);
   return levels;
+}
+
+std::vector<float> lodThresholds(const tinygltf::Node& node, std::size_t levels) {
+  if (!node.extras.IsObject() || !node.extras.Get(kCoverage).IsArray()) return {};
+  std::vector<float> thresholds;
+  for (const tinygltf::Value& value : node.extras.Get(kCoverage).Get<tinygltf::Value::Array>()) {
+    const auto threshold = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : -1.0F;
+    const float last = thresholds.empty() ? std::numeric_limits<float>::max() : thresholds.back();
+    if (!(threshold >= 0.0F && threshold <= last)) return {};
+    thresholds.push_back(threshold);
+  }
+  if (thresholds.size() > levels) thresholds.resize(levels);
+  return thresholds;
 }
 
 }  // namespace jalousie::asset

@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace jalousie::asset {
@@ -87,10 +88,30 @@ inline std::size_t cellCount(const CellTriangles& cells) {
 /// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares
 /// MSFT_lod in model.extensionsUsed.
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage);
-/// Node indices of LOD 1, 2, ...; empty without MSFT_lod. Errors: kMalformed (index out of range, a node twice or
-/// itself, a node without a mesh).
+/// Node indices of LOD 1, 2, ... as MSFT_lod lists them; empty without. Errors: kMalformed (index out of range, a node
+/// twice or itself, a node with neither a mesh nor nodes below it).
+std::vector<int> lodIds(const tinygltf::Model& model, int node);
+/// Whether the levels of a node are groups: the node or one of them has no mesh of its own. Each level then stands for
+/// all meshes below its node. Else the levels are single meshes. Errors: as lodIds.
+bool isLodGroup(const tinygltf::Model& model, int node);
+/// lodIds of a chain of single meshes; empty for a group. Errors: as lodIds.
 std::vector<int> lodNodes(const tinygltf::Model& model, int node);
-/// extras.MSFT_screencoverage; empty if absent.
+/// extras.MSFT_screencoverage as it is, with 0 for what is no number; empty if absent.
 std::vector<float> lodCoverage(const tinygltf::Node& node);
+/// The same for choosing levels: for each of the first levels the least share of the screen at which it is drawn.
+/// Empty if it is absent or broken: not all numbers are finite and at least 0, or one is larger than the one before it.
+/// @param levels  of the chain; values beyond them are left out
+std::vector<float> lodThresholds(const tinygltf::Node& node, std::size_t levels);
+
+/// What tells chains apart: nodes with equal keys share a chain.
+template <class Level>
+struct ChainKey {
+  std::vector<Level> levels;
+  std::vector<float> coverage;  ///< lodThresholds
+
+  friend bool operator<(const ChainKey& a, const ChainKey& b) {
+    return std::tie(a.levels, a.coverage) < std::tie(b.levels, b.coverage);
+  }
+};
 
 }  // namespace jalousie::asset

@@ -64,7 +64,7 @@ std::vector<int> sceneRoots(const tinygltf::Model& model) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     for (const int child : model.nodes[i].children)
       excluded[static_cast<std::size_t>(child)] = 1;
-    for (const int level : lodNodes(model, static_cast<int>(i)))
+    for (const int level : lodIds(model, static_cast<int>(i)))
       excluded[static_cast<std::size_t>(level)] = 1;
   }
   std::vector<int> roots;

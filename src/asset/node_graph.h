@@ -17,7 +17,7 @@ bool isFinite(const glm::dmat4& transform);
 
 /// Roots of the scene to show: what the default scene lists, else scene 0, without nodes that lie below others of them;
 /// in a document without scenes all nodes that are neither a child nor a level of an MSFT_lod chain. Errors: as
-/// lodNodes.
+/// lodIds.
 std::vector<int> sceneRoots(const tinygltf::Model& model);
 
 }  // namespace jalousie::asset

@@ -14,8 +14,10 @@
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_group.h"
 #include "asset/node_graph.h"
 #include "asset/scene_camera.h"
+#include "asset/scene_group.h"
 #include "asset/scene_material.h"
 #include "asset/scene_mesh.h"
 #include "asset/scene_origin.h"
@@ -41,6 +43,7 @@ std::uint64_t demandLimit(const Model& model, const Limits& limits) {
 struct Visit {
   int node;
   glm::dmat4 worldFromParent;
+  bool isInGroup = false;  ///< the node's mesh is part of the LOD 0 of a node above it
 };
 
 /// What a reader keeps of instances and images.
@@ -55,7 +58,9 @@ class SceneReader {
         budget_{demandLimit(model, limits)},
         motion_(model, limits),
         cameras_(model, limits, motion_),
-        pose_(model, motion_, seconds) {}
+        pose_(model, motion_, seconds),
+        groups_(model),
+        groupReader_(model, limits, pose_, groups_) {}
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
@@ -75,9 +80,10 @@ class SceneReader {
       stack.pop_back();
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
       const glm::dmat4 worldFromNode = visit.worldFromParent * pose_.localTransform(visit.node);
+      const bool isInGroup = visit.isInGroup || isLodGroup(model_, visit.node);
       readNode(visit, worldFromNode);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        stack.push_back({*child, worldFromNode});
+        stack.push_back({*child, worldFromNode, isInGroup});
     }
     detail::placeNearOrigin(scene_, places_);
     return std::move(scene_);
@@ -116,6 +122,12 @@ class SceneReader {
     if (!isFinite(worldFromNode))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
     if (node.camera >= 0) scene_.cameras.push_back(cameras_.read(visit.node, visit.worldFromParent, worldFromNode));
+    if (visit.isInGroup) return;
+    if (isLodGroup(model_, visit.node)) {
+      const std::optional<std::uint32_t> group = groupChainOf(visit.node, worldFromNode);
+      if (group) addInstance(*group, worldFromNode);
+      return;
+    }
     if (node.mesh < 0) return;
     const std::optional<std::uint32_t> chain = chainOf(visit.node);
     // The vertices of a skin are placed in the world by its joints; the node's own transform has no effect.
@@ -124,26 +136,82 @@ class SceneReader {
 
   /// Index of the node's chain, made if new; nullopt if LOD 0 has no triangles.
   std::optional<std::uint32_t> chainOf(int node) {
-    std::vector<ShownMesh> key = {shownMesh(model_, node)};
+    ChainKey<ShownMesh> key;
+    key.levels = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(model_, lower));
+      key.levels.push_back(shownMesh(model_, lower));
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
     const auto known = chainIndex_.find(key);
     if (known != chainIndex_.end()) return known->second;
 
-    std::optional<std::uint32_t> index;
-    Chain chain = makeChain(key);
-    if (!chain.levels.empty()) {
-      chain.name = chainName(node);
-      index = static_cast<std::uint32_t>(scene_.chains.size());
-      scene_.chains.push_back(std::move(chain));
-    }
+    const std::optional<std::uint32_t> index = addChain(makeChain(key.levels), key.coverage, node);
     chainIndex_.emplace(std::move(key), index);
     return index;
   }
 
-  std::string chainName(int node) const {
+  /// Index of the chain; nullopt if it has no level.
+  std::optional<std::uint32_t> addChain(Chain chain, const std::vector<float>& coverage, int node) {
+    if (chain.levels.empty()) return std::nullopt;
+    chain.coverage = coverage;
+    chain.coverage.resize(std::min(coverage.size(), chain.levels.size()));
     const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
-    return source.name.empty() ? model_.meshes[static_cast<std::size_t>(source.mesh)].name : source.name;
+    const bool isNamed = !source.name.empty() || source.mesh < 0;
+    chain.name = isNamed ? source.name : model_.meshes[static_cast<std::size_t>(source.mesh)].name;
+    scene_.chains.push_back(std::move(chain));
+    return static_cast<std::uint32_t>(scene_.chains.size() - 1);
+  }
+
+  /// As chainOf, for a group.
+  std::optional<std::uint32_t> groupChainOf(int node, const glm::dmat4& worldFromNode) {
+    ChainKey<detail::GroupLevel> key;
+    key.levels = groups_.levelsOf(node);
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
+    const auto known = groupIndex_.find(key);
+    if (known != groupIndex_.end()) return known->second;
+
+    const std::optional<std::uint32_t> index =
+        addChain(makeGroupChain(key.levels, {node, worldFromNode}), key.coverage, node);
+    groupIndex_.emplace(std::move(key), index);
+    return index;
+  }
+
+  /// A chain ends at its first level without triangles. The errors of parts are those of the level only where it has
+  /// as many parts as LOD 0.
+  Chain makeGroupChain(const std::vector<detail::GroupLevel>& levels, const detail::GroupPlace& place) {
+    Chain chain;
+    std::size_t parts = 0;
+    for (const detail::GroupLevel& source : levels) {
+      const GroupMesh mesh = groupMesh(source, place);
+      if (!mesh.level) break;
+      LodLevel level = *mesh.level;
+      if (chain.levels.empty()) {
+        parts = mesh.parts;
+        level = {level.mesh, 0.0F};
+      } else if (mesh.parts != parts) {
+        level = {level.mesh, std::numeric_limits<float>::infinity()};
+      }
+      chain.levels.push_back(level);
+    }
+    return chain;
+  }
+
+  /// A level of groups; none if it has no triangles.
+  struct GroupMesh {
+    std::optional<LodLevel> level;
+    std::size_t parts = 0;
+  };
+
+  GroupMesh groupMesh(const detail::GroupLevel& level, const detail::GroupPlace& place) {
+    const auto known = groupMeshes_.find(level);
+    if (known != groupMeshes_.end()) return known->second;
+    detail::LevelMesh read = groupReader_.read(level, place, scene_.materials, budget_);
+    GroupMesh mesh{std::nullopt, read.parts};
+    if (!read.mesh.primitives.empty()) {
+      mesh.level = {static_cast<std::uint32_t>(scene_.meshes.size()), read.errorObject, read.meanErrorObject};
+      scene_.meshes.push_back(std::move(read.mesh));
+    }
+    groupMeshes_.emplace(level, mesh);
+    return mesh;
   }
 
   /// A chain ends at its first level without triangles.
@@ -211,12 +279,16 @@ class SceneReader {
   NodeMotion motion_;
   detail::CameraReader cameras_;
   detail::ScenePose pose_;
+  detail::LodGroups groups_;
+  detail::GroupReader groupReader_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
   std::vector<glm::dvec3> places_;                            ///< of the instances' origins
   std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
   std::map<ShownMesh, std::optional<PosedMesh>> meshes_;
-  std::map<std::vector<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
+  std::map<ChainKey<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
+  std::map<detail::GroupLevel, GroupMesh> groupMeshes_;
+  std::map<ChainKey<detail::GroupLevel>, std::optional<std::uint32_t>> groupIndex_;
 };
 
 SceneFile read(const Model& model, const std::filesystem::path& path, const Limits& limits, Keep keep,

@@ -15,6 +15,7 @@
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_group.h"
 #include "asset/mesh_pose.h"
 #include "asset/node_graph.h"
 #include "asset/scene_material.h"
@@ -32,9 +33,15 @@ struct MeshSize {
   std::uint64_t indices = 0;
 };
 
+/// Adds a * b, up to a number that no memory holds and that many sums cannot wrap.
+void addProduct(std::uint64_t a, std::uint64_t b, std::uint64_t& sum) {
+  constexpr std::uint64_t kMost = 1ULL << 48U;
+  sum = std::min(sum + std::min(saturatingProduct(a, b), kMost), kMost);
+}
+
 class Counter {
  public:
-  Counter(const Model& model, const Limits& limits) : model_(model), limits_(limits) {}
+  Counter(const Model& model, const Limits& limits) : model_(model), limits_(limits), groups_(model) {}
 
   SceneSize count() {
     for (const tinygltf::Buffer& buffer : model_.buffers)
@@ -42,13 +49,16 @@ class Counter {
     for (const tinygltf::Image& image : model_.images)
       size_.documentBytes += image.image.size();
     countImages();
-    std::vector<int> stack = sceneRoots(model_);
+    std::vector<Visit> stack;
+    for (const int root : sceneRoots(model_))
+      stack.push_back({root, false});
     while (!stack.empty()) {
-      const int node = stack.back();
+      const Visit visit = stack.back();
       stack.pop_back();
-      countNode(node);
-      const std::vector<int>& children = model_.nodes[static_cast<std::size_t>(node)].children;
-      stack.insert(stack.end(), children.begin(), children.end());
+      countNode(visit);
+      const bool isInGroup = visit.isInGroup || isLodGroup(model_, visit.node);
+      for (const int child : model_.nodes[static_cast<std::size_t>(visit.node)].children)
+        stack.push_back({child, isInGroup});
     }
     size_.cameraKeys = cameraKeys();
     if (hasSecondUvs_) size_.secondUvs = size_.vertices;
@@ -73,12 +83,21 @@ class Counter {
     }
   }
 
-  void countNode(int node) {
+  /// As in SceneReader.
+  struct Visit {
+    int node;
+    bool isInGroup;
+  };
+
+  void countNode(const Visit& visit) {
+    const int node = visit.node;
     const tinygltf::Node& source = model_.nodes[static_cast<std::size_t>(node)];
     if (source.camera >= 0) {
       ++size_.cameras;
       cameraNodes_.insert(node);
     }
+    if (visit.isInGroup) return;
+    if (isLodGroup(model_, node)) return countGroup(node);
     if (source.mesh < 0) return;
     countChain(node);
     const std::uint64_t instances = std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
@@ -89,29 +108,72 @@ class Counter {
 
   /// Chains of equal meshes are one.
   void countChain(int node) {
-    std::vector<ShownMesh> key = {shownMesh(model_, node)};
+    ChainKey<ShownMesh> key;
+    key.levels = {shownMesh(model_, node)};
     for (const int lower : lodNodes(model_, node))
-      key.push_back(shownMesh(model_, lower));
-    const ShownMesh finest = key.front();
-    MeshSize coarsest;
-    for (const ShownMesh& mesh : key)
-      coarsest = countMesh(mesh);
-    const std::size_t levels = key.size();
-    if (!chains_.insert(std::move(key)).second) return;
+      key.levels.push_back(shownMesh(model_, lower));
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
+    std::vector<MeshSize> levels;
+    for (const ShownMesh& mesh : key.levels)
+      levels.push_back(countMesh(mesh));
+    if (chains_.insert(std::move(key)).second) addChain(levels);
+  }
+
+  /// @param levels  of one chain, LOD 0 first
+  void addChain(const std::vector<MeshSize>& levels) {
     ++size_.chains;
-    size_.largestTriangles = std::max(size_.largestTriangles, meshes_.at(finest).indices / 3);
-    size_.levelTriangles += saturatingProduct(levels, meshes_.at(finest).indices / 3);
-    size_.levels += levels;
-    size_.coarsestVertices += coarsest.vertices;
-    size_.coarsestIndices += coarsest.indices;
+    const std::uint64_t finest = levels.front().indices / 3;
+    size_.largestTriangles = std::max(size_.largestTriangles, finest);
+    size_.levelTriangles += saturatingProduct(levels.size(), finest);
+    size_.levels += levels.size();
+    size_.coarsestVertices += levels.back().vertices;
+    size_.coarsestIndices += levels.back().indices;
+  }
+
+  void countGroup(int node) {
+    ChainKey<detail::GroupLevel> key;
+    key.levels = groups_.levelsOf(node);
+    key.coverage = lodThresholds(model_.nodes[static_cast<std::size_t>(node)], key.levels.size());
+    std::vector<MeshSize> levels;
+    for (const detail::GroupLevel& level : key.levels)
+      levels.push_back(countLevel(level));
+    ++size_.instances;
+    size_.finestTriangles += levels.front().indices / 3;
+    if (groupChains_.insert(std::move(key)).second) addChain(levels);
+  }
+
+  /// A level of a group is a mesh of its own that holds all its parts.
+  MeshSize countLevel(const detail::GroupLevel& level) {
+    const auto known = groupLevels_.find(level);
+    if (known != groupLevels_.end()) return known->second;
+    MeshSize size;
+    const auto rest = [this](int node) { return localTransform(model_.nodes[static_cast<std::size_t>(node)]); };
+    for (const detail::GroupPart& part : groups_.parts(level.content, rest)) {
+      const MeshSize mesh = sizeOf(model_.meshes[static_cast<std::size_t>(part.mesh.mesh)]);
+      const std::uint64_t copies = std::max<std::uint64_t>(countInstances(model_, part.node, limits_), 1);
+      addProduct(copies, mesh.vertices, size.vertices);
+      addProduct(copies, mesh.indices, size.indices);
+    }
+    groupLevels_.emplace(level, size);
+    size_.vertices += size.vertices;
+    size_.indices += size.indices;
+    return size;
   }
 
   MeshSize countMesh(const ShownMesh& mesh) {
     const auto known = meshes_.find(mesh);
     if (known != meshes_.end()) return known->second;
-    MeshSize size;
     const tinygltf::Mesh& source = model_.meshes[static_cast<std::size_t>(mesh.mesh)];
-    const std::size_t cells = cellCount(lodCells(model_, source));
+    const MeshSize size = sizeOf(source);
+    meshes_.emplace(mesh, size);
+    size_.cellEnds += cellCount(lodCells(model_, source)) * source.primitives.size();
+    size_.vertices += size.vertices;
+    size_.indices += size.indices;
+    return size;
+  }
+
+  MeshSize sizeOf(const tinygltf::Mesh& source) const {
+    MeshSize size;
     for (const tinygltf::Primitive& primitive : source.primitives) {
       const auto position = primitive.attributes.find("POSITION");
       if (primitive.mode < TINYGLTF_MODE_TRIANGLES || position == primitive.attributes.end()) continue;
@@ -121,10 +183,6 @@ class Counter {
       size.indices += indices;
       size.vertices += primitive.attributes.contains("NORMAL") ? vertices : std::max(vertices, indices);
     }
-    meshes_.emplace(mesh, size);
-    size_.cellEnds += cells * source.primitives.size();
-    size_.vertices += size.vertices;
-    size_.indices += size.indices;
     return size;
   }
 
@@ -148,7 +206,10 @@ class Counter {
   SceneSize size_;
   bool hasSecondUvs_ = false;
   std::map<ShownMesh, MeshSize> meshes_;
-  std::set<std::vector<ShownMesh>> chains_;
+  std::set<ChainKey<ShownMesh>> chains_;
+  detail::LodGroups groups_;
+  std::map<detail::GroupLevel, MeshSize> groupLevels_;
+  std::set<ChainKey<detail::GroupLevel>> groupChains_;
   std::set<int> cameraNodes_;
 };
 

@@ -95,10 +95,13 @@ struct LodLevel {
   std::optional<float> meanErrorObject = std::nullopt;  ///< mean deviation; absent where the file does not say
 };
 
-/// LOD 0 first. One level where the file has no MSFT_lod. Nodes with the same meshes share a chain.
+/// LOD 0 first. One level where the file has no MSFT_lod. Nodes with the same meshes and thresholds share a chain.
 struct Chain {
   std::string name;
   std::vector<LodLevel> levels;
+  /// MSFT_screencoverage: for each of the first levels the least share of the screen at which it is drawn, descending.
+  /// Empty where the file states none, or broken ones.
+  std::vector<float> coverage = {};
 };
 
 struct Instance {

@@ -17,6 +17,11 @@ constexpr LodRuleRow kRules[] = {
      .id = LodRule::kPixelError,
      .followsError = true,
      .help = "coarsest level whose screen-space error is at most --tau"},
+    {.name = "coverage",
+     .id = LodRule::kCoverage,
+     .followsError = true,
+     .followsCoverage = true,
+     .help = "finest level whose MSFT_screencoverage the bounding sphere covers, as if it were --tau times smaller"},
     {.name = "lv-error",
      .id = LodRule::kLvError,
      .followsError = true,
@@ -47,10 +52,14 @@ bool relaxesTau(const LodRuleRow& rule) {
   return rule.followsError && rule.followsLv && !rule.pricesTriangles;
 }
 
+bool usesErrors(const LodRuleRow& rule) {
+  return rule.followsError && !rule.followsCoverage;
+}
+
 gpu::uint traitsOf(LodRule rule) {
   const LodRuleRow& row = rowOf(rule);
   return (row.followsError ? gpu::kTraitFollowsError : 0) | (row.followsLv ? gpu::kTraitFollowsLv : 0) |
-         (row.pricesTriangles ? gpu::kTraitPrice : 0);
+         (row.pricesTriangles ? gpu::kTraitPrice : 0) | (row.followsCoverage ? gpu::kTraitCoverage : 0);
 }
 
 }  // namespace jalousie

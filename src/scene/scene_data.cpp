@@ -293,8 +293,11 @@ class Builder {
     result.lodCount = static_cast<std::uint32_t>(chain.levels.size());
     Aabb bounds;
     float mean = 0.0F;
-    for (const asset::LodLevel& level : chain.levels) {
+    scene_.hasUncoveredChains |= chain.levels.size() > 1 && chain.coverage.empty();
+    for (std::size_t k = 0; k < chain.levels.size(); ++k) {
+      const asset::LodLevel& level = chain.levels[k];
       gpu::Lod lod = meshLods_[level.mesh];
+      lod.leastCoverage = k < chain.coverage.size() ? chain.coverage[k] : 0.0F;
       lod.errorObject = level.errorObject;
       lod.meanErrorObject = meanErrorOf(level);
       if (std::isfinite(lod.meanErrorObject)) lod.meanErrorObject = mean = std::max(mean, lod.meanErrorObject);
@@ -365,6 +368,7 @@ class Builder {
       gpu::Lod lod = part.lod;
       lod.errorObject = scene_.lods[firstLod + k].errorObject;
       lod.meanErrorObject = scene_.lods[firstLod + k].meanErrorObject;
+      lod.leastCoverage = scene_.lods[firstLod + k].leastCoverage;
       tables.lods.push_back(lod);
       tables.bounds.push_back({glm::vec4(part.bounds.min, 0.0F), glm::vec4(part.bounds.max, 0.0F)});
       whole.add(part.bounds);

@@ -54,6 +54,7 @@ struct SceneData : DrawTables {
   bool usesFullMaterials = false;       ///< a material has more than a base colour with a texture that isPlain()
   bool usesBlending = false;            ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
+  bool hasUncoveredChains = false;      ///< some chain with several levels has no thresholds: always LOD 0 by coverage
   std::uint32_t maxPatchTriangles = 0;  ///< of the largest base mesh of the tessellation path; 0 without patches
 
   /// What is drawn: the cells, or the objects where there are none.

@@ -66,6 +66,17 @@ std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUni
   return 0;
 }
 
+float sphereCoverage(const glm::vec3& sizeObject, float pixelsPerUnit, float screenPixels) {
+  const float diameter2 = glm::dot(sizeObject, sizeObject) * pixelsPerUnit * pixelsPerUnit;
+  return gpu::kQuarterPi * diameter2 / screenPixels;
+}
+
+std::uint32_t coverageLod(std::span<const gpu::Lod> levels, float coverage) {
+  for (std::size_t level = 0; level + 1 < levels.size(); ++level)
+    if (!(coverage < levels[level].leastCoverage)) return static_cast<std::uint32_t>(level);
+  return static_cast<std::uint32_t>(levels.size() - 1);
+}
+
 std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau, float relaxed, float share) {
   std::uint32_t best = pixelErrorLod(levels, pixelsPerUnit, tau);
   const std::uint32_t coarsest = pixelErrorLod(levels, pixelsPerUnit, tau * relaxed);
@@ -230,6 +241,11 @@ std::uint32_t budgetPricedLod(const gpu::CullView& view, const DetailInput& obje
 std::uint32_t budgetLod(const gpu::CullView& view, const DetailInput& object, const Budget& budget, float margin) {
   if (has(view.traits, gpu::kTraitPrice)) return budgetPricedLod(view, object, budget, margin);
   const float tau = budget.tau * margin * budget.masking;
+  if (has(view.traits, gpu::kTraitCoverage)) {
+    const float screenPixels = static_cast<float>(view.viewportWidth) * static_cast<float>(view.viewportHeight);
+    return coverageLod(object.levels,
+                       sphereCoverage(object.sizeObject, object.pixelsPerUnit, screenPixels) / (tau * tau));
+  }
   return relaxedLod(object.levels, object.pixelsPerUnit, tau, budget.relaxed, budget.share);
 }
 

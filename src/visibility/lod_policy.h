@@ -52,6 +52,13 @@ float projectedScale(float scale, float focalPixels, float distance, float zNear
 /// qualifies.
 std::uint32_t pixelErrorLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau);
 
+/// Share of a screen's area that the bounding sphere of a box covers, at the distance of pixelsPerUnit; not clipped.
+/// @param screenPixels  of the screen, width times height
+float sphereCoverage(const glm::vec3& sizeObject, float pixelsPerUnit, float screenPixels);
+/// Finest level with coverage >= leastCoverage; the coarsest where there is none, so that no object is lost. 0 where
+/// the coverage is not a number.
+std::uint32_t coverageLod(std::span<const gpu::Lod> levels, float coverage);
+
 /// Level between the ones that tau and tau * relaxed allow, with the least share * (error / tau)^2 + triangles /
 /// (triangles at tau). A coarser level that saves few triangles is not worth its error. @param share  visible, (0, 1]
 std::uint32_t relaxedLod(std::span<const gpu::Lod> levels, float pixelsPerUnit, float tau, float relaxed, float share);

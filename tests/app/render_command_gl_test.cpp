@@ -11,6 +11,7 @@
 #include "app/gl_debug.h"
 #include "asset/gltf_file.h"
 #include "asset/image_io.h"
+#include "asset/lod_chain.h"
 #include "support/gl_test.h"
 #include "support/run_program.h"
 #include "support/scene_writer.h"
@@ -135,6 +136,83 @@ TEST_F(RenderCommand, FiguresSayWhetherErrorsWereMasked) {
       jalousie({"render", scene(), "--size", "64x64", "--masking", "--stats-only", "--json", file("masked.json")});
   ASSERT_EQ(result.exitCode, 0) << result.standardError;
   EXPECT_EQ(json("masked.json")["masking"], true);
+}
+
+/// Two spheres with two levels each. Either each sphere has its own chain, or both are a group with levels.
+void writeLevels(const std::filesystem::path& file, bool isGroup, const std::vector<float>& coverage) {
+  tinygltf::Model model = test::emptyModel();
+  int meshes[2];
+  for (std::uint32_t lod = 0; lod < 2; ++lod) {
+    meshes[lod] = test::addMesh(model, test::sphere(lod == 0 ? 48 : 6, lod == 0 ? 24 : 4));
+    asset::LodInfo info{lod, 1, 1, 0.2 * lod};
+    info.measures.emplace().twoSided = {0.2 * lod, 0.1 * lod};
+    asset::setLodInfo(model.meshes[lod], info);
+  }
+  const auto addLevel = [&](int mesh) {
+    std::vector<int> nodes = {test::addMeshNode(model, mesh, {-1.25, 0.0, 0.0}),
+                              test::addMeshNode(model, mesh, {1.25, 0.5, 0.0}, 0.75)};
+    if (!isGroup) return nodes;
+    const int group = test::addMeshNode(model, -1);
+    model.nodes.back().children = nodes;
+    return std::vector<int>{group};
+  };
+  const std::vector<int> finest = addLevel(meshes[0]);
+  const std::vector<int> coarse = addLevel(meshes[1]);
+  for (std::size_t i = 0; i < finest.size(); ++i) {
+    asset::setLodChain(model, finest[i], std::vector<int>{coarse[i]}, std::vector<float>{1.0F, 0.0F});
+    if (coverage.empty()) model.nodes[static_cast<std::size_t>(finest[i])].extras = {};
+  }
+  model.scenes[0].nodes = finest;
+  asset::saveGlb(model, file);
+}
+
+TEST_F(RenderCommand, GroupsWithLevelsLookLikeMeshesWithLevels) {
+  writeLevels(file("meshes.glb"), false, {1.0F});
+  writeLevels(file("group.glb"), true, {1.0F});
+  for (const char* tau : {"0.001", "1000"}) {  // all at LOD 0, all at LOD 1
+    ImageRgba8 pictures[2];
+    for (const bool isGroup : {false, true}) {
+      const ProgramResult result = jalousie({"render", file(isGroup ? "group.glb" : "meshes.glb"), "--eye", "0.4,1,6",
+                                             "--look", "0,0,0", "--size", "320x180", "--lod", "pixel-error", "--tau",
+                                             tau, "-o", file("levels.png"), "--json", file("levels.json")});
+      ASSERT_EQ(result.exitCode, 0) << result.standardError;
+      EXPECT_TRUE(result.standardError.empty()) << result.standardError;
+      pictures[isGroup ? 1 : 0] = asset::loadImage(file("levels.png"));
+      const nlohmann::json stats = json("levels.json");
+      EXPECT_EQ(stats["drawn"], isGroup ? 1 : 2);
+      EXPECT_EQ(stats["triangles_full"], 2 * 2 * 48 * 23);
+      EXPECT_EQ(stats["lod_histogram"][tau == std::string("1000") ? 1 : 0], isGroup ? 1 : 2);
+    }
+    std::size_t differing = 0;
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < pictures[0].pixels.size(); i += 4) {
+      bool differs = false;
+      for (std::size_t c = i; c < i + 3; ++c)
+        differs = differs || std::abs(pictures[0].pixels[c] - pictures[1].pixels[c]) > 2;
+      differing += differs ? 1 : 0;
+      covered += pictures[0].pixels[i] != pictures[0].pixels[0] ? 1 : 0;
+    }
+    EXPECT_GT(covered, 3000U);
+    EXPECT_LT(differing, 20U) << "a silhouette may move by a rounding";
+  }
+}
+
+TEST_F(RenderCommand, CoverageFollowsTheThresholdsOfTheFile) {
+  writeLevels(file("with.glb"), false, {1.0F});
+  writeLevels(file("without.glb"), false, {});
+  const auto levels = [&](const std::string& name, const std::string& distance, const std::string& tau) {
+    const ProgramResult result =
+        jalousie({"render", file(name), "--eye", "0,0," + distance, "--look", "0,0,0", "--size", "320x180", "--mode",
+                  "full", "--lod", "coverage", "--tau", tau, "--stats-only", "--json", file("coverage.json")});
+    EXPECT_EQ(result.exitCode, 0) << result.standardError;
+    const bool warns = result.standardError.find("MSFT_screencoverage") != std::string::npos;
+    EXPECT_EQ(warns, name == "without.glb") << result.standardError;
+    return json("coverage.json")["lod_histogram"];
+  };
+  EXPECT_EQ(levels("with.glb", "1.6", "1")[0], 2) << "larger than the screen";
+  EXPECT_EQ(levels("with.glb", "9", "1")[1], 2);
+  EXPECT_EQ(levels("with.glb", "9", "0.05")[0], 2) << "counts as 20 times as large";
+  EXPECT_EQ(levels("without.glb", "900", "1")[0], 2);
 }
 
 TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {

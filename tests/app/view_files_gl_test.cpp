@@ -361,6 +361,7 @@ TEST_F(ViewFiles, ProgramWritesScreenshotsAndFiguresForScripts) {
   const nlohmann::json stats = nlohmann::json::parse(std::ifstream(folder_ / "stats.json"));
   ASSERT_FALSE(stats["frames"].empty());
   EXPECT_EQ(stats["frames"][0]["objects"], 27);
+  EXPECT_EQ(stats["ignored"], nlohmann::json::object()) << "everything is drawn";
   EXPECT_TRUE(stats["frames"][0]["passes"].contains("classify"));
   EXPECT_FALSE(fs::exists(folder_ / "config")) << "a script leaves no settings";
   const std::string file = scene().string();

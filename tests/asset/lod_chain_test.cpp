@@ -2,6 +2,7 @@
 #include "asset/lod_chain.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "asset/asset_fixtures.h"
 
@@ -155,6 +156,33 @@ TEST(LodChain, IdsOutsideTwiceOrWithoutMeshAreMalformed) {
   EXPECT_EQ(code({1, 1}), ErrorCode::kMalformed);
   EXPECT_EQ(code({0}), ErrorCode::kMalformed);
   EXPECT_EQ(code({3}), ErrorCode::kMalformed);
+}
+
+TEST(LodChain, ThresholdsDescendAndAreNumbers) {
+  const auto thresholds = [](const char* json, std::size_t levels = 3) {
+    tinygltf::Node node;
+    tinygltf::Value::Array values;
+    for (const auto& value : nlohmann::json::parse(json))
+      values.push_back(value.is_number()   ? tinygltf::Value(value.get<double>())
+                       : value.is_string() ? tinygltf::Value(value.get<std::string>())
+                                           : tinygltf::Value());
+    node.extras = tinygltf::Value(tinygltf::Value::Object{{"MSFT_screencoverage", tinygltf::Value(std::move(values))}});
+    return lodThresholds(node, levels);
+  };
+  EXPECT_EQ(thresholds("[0.5, 0.2, 0.01]"), (std::vector<float>{0.5F, 0.2F, 0.01F}));
+  EXPECT_EQ(thresholds("[0.5, 0.2, 0.01]", 2), (std::vector<float>{0.5F, 0.2F})) << "more than there are levels";
+  EXPECT_EQ(thresholds("[0.5]"), std::vector<float>{0.5F});
+  EXPECT_EQ(thresholds("[2, 1, 1]"), (std::vector<float>{2.0F, 1.0F, 1.0F}))
+      << "a sphere may be larger than the screen";
+  for (const char* broken :
+       {"[]", "[0.1, 0.2]", "[0.5, -0.1]", "[0.5, null]", "[\"0.5\"]", "[1e39]", "[0.5, 0.2, 1e300]"})
+    EXPECT_TRUE(thresholds(broken).empty()) << broken;
+  tinygltf::Node node;
+  EXPECT_TRUE(lodThresholds(node, 3).empty());
+  node.extras = tinygltf::Value(3);
+  EXPECT_TRUE(lodThresholds(node, 3).empty());
+  node.extras = tinygltf::Value(tinygltf::Value::Object{{"MSFT_screencoverage", tinygltf::Value(0.5)}});
+  EXPECT_TRUE(lodThresholds(node, 3).empty());
 }
 
 TEST(LodChain, OneLevelNeedsNoExtension) {

@@ -9,6 +9,7 @@
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/scene_size.h"
 
 namespace jalousie::asset {
 namespace {
@@ -83,6 +84,26 @@ TEST(SceneFile, LevelsAreNoInstances) {
     EXPECT_EQ(scene.chains[0].levels[2].meanErrorObject, std::nullopt) << "a file of format 1";
     EXPECT_EQ(scene.meshes.size(), 3U);
   }
+}
+
+TEST(SceneFile, NodesWithOtherThresholdsHaveOtherChains) {
+  tinygltf::Model model = oneTriangle();
+  const int mesh = addTriangle(model);
+  for (int level = 0; level < 3; ++level)
+    addNode(model, mesh);  // nodes 1 to 3
+  for (int finest = 0; finest < 3; ++finest)
+    addNode(model, 0);  // nodes 4 to 6
+  setLodChain(model, 4, std::vector<int>{1}, std::vector<float>{0.5F, 0.0F});
+  setLodChain(model, 5, std::vector<int>{2}, std::vector<float>{0.2F, 0.0F});
+  setLodChain(model, 6, std::vector<int>{3}, std::vector<float>{0.5F, 0.0F});
+  test::setScene(model, {4, 5, 6});
+  const SceneFile scene = flatten(model);
+  ASSERT_EQ(scene.chains.size(), 2U);
+  EXPECT_EQ(scene.chains[0].coverage, (std::vector<float>{0.5F, 0.0F}));
+  EXPECT_EQ(scene.chains[1].coverage, (std::vector<float>{0.2F, 0.0F}));
+  EXPECT_EQ(scene.meshes.size(), 2U);
+  EXPECT_EQ(measureScene(model).chains, 2U);
+  EXPECT_EQ(scene.instances[2].chain, 0U);
 }
 
 TEST(SceneFile, InstancingIsExpandedInOrder) {
@@ -394,6 +415,39 @@ TEST(SceneFile, CameraMovesWithItsParent) {
   EXPECT_LT(worstOf(camera, [](float t) { return glm::mix(glm::vec3(1, 2, 8), glm::vec3(4, 5, 11), t); }), 1e-5F);
   EXPECT_NEAR(camera.track.rotations.get()[7].y, std::sqrt(0.5F), 1e-6F);
   EXPECT_EQ(camera.track.translations.get()[0], glm::vec3(0)) << "the track starts at worldFromParent";
+}
+
+TEST(SceneFile, ChannelsThatMoveOnlyCamerasAreNotIgnored) {
+  const auto ignored = [](const std::function<void(tinygltf::Model&)>& change) {
+    tinygltf::Model model = animatedCamera("LINEAR", {{1, 2, 3}, {4, 5, 6}});
+    model.nodes[0].mesh = -1;
+    change(model);
+    const ContentCounts counts = flatten(model).ignored;
+    return counts.contains("animation channels") ? counts.at("animation channels") : 0;
+  };
+  const auto target = [](int node, const char* path) {
+    return [=](tinygltf::Model& model) {
+      model.animations[0].channels[0].target_node = node;
+      model.animations[0].channels[0].target_path = path;
+    };
+  };
+  for (const int node : {0, 1})
+    EXPECT_EQ(ignored(target(node, "translation")), 0U) << node;
+  EXPECT_EQ(ignored(target(0, "scale")), 0U) << "the camera moves";
+  EXPECT_EQ(ignored(target(1, "scale")), 1U) << "a camera has no scale";
+  EXPECT_EQ(ignored([&](tinygltf::Model& model) {
+              target(0, "translation")(model);
+              model.nodes[0].mesh = 0;
+            }),
+            1U)
+      << "the mesh stays where it is";
+  EXPECT_EQ(ignored([&](tinygltf::Model& model) {
+              model.cameras[0].type = "orthographic";
+              model.cameras[0].orthographic = {};
+              model.cameras[0].orthographic.xmag = model.cameras[0].orthographic.ymag = 1.0;
+              model.cameras[0].orthographic.zfar = 10.0;
+            }),
+            1U);
 }
 
 TEST(SceneFile, CamerasHaveNeitherScaleNorMirroring) {

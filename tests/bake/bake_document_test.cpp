@@ -131,6 +131,27 @@ TEST(BakeDocument, MaterialsHierarchyAndNamesSurviveTheRoundTrip) {
     EXPECT_GE(scene.chains[0].levels[k].errorObject, scene.chains[0].levels[k - 1].errorObject);
 }
 
+TEST(BakeDocument, GroupsWithLevelsPassThrough) {
+  tinygltf::Model model = document();  // node 0 is the parent of 1 and 2, which show the rock, and 3
+  model.meshes.push_back(model.meshes[0]);
+  tinygltf::Node lower;
+  lower.mesh = 2;
+  model.nodes.push_back(lower);
+  tinygltf::Node level;
+  level.children = {static_cast<int>(model.nodes.size()) - 1};
+  model.nodes.push_back(level);
+  asset::setLodChain(model, 0, std::vector<int>{static_cast<int>(model.nodes.size()) - 1},
+                     std::vector<float>{0.5F, 0.0F});
+  const std::size_t nodes = model.nodes.size();
+  const std::vector<MeshReport> reports = bakeIt(model);
+  EXPECT_EQ(reports[0].passedThrough, "it is part of a group that has levels already");
+  EXPECT_EQ(reports[2].passedThrough, "it is a level of a chain already");
+  EXPECT_EQ(model.nodes.size(), nodes);
+  const test::TemporaryFolder folder;
+  asset::saveGlb(model, folder / "passed.glb");
+  EXPECT_EQ(asset::readSceneFile(folder / "passed.glb").chains.at(0).levels.size(), 2U);
+}
+
 TEST(BakeDocument, WhatCannotBeBakedIsPassedThroughWithTheReason) {
   tinygltf::Model model = document();
   const tinygltf::Mesh before = model.meshes[1];

@@ -538,6 +538,17 @@ group('lod', 5, inRich, [
   ['cycle', 'two nodes are levels of each other', { '/nodes/1/extensions': { MSFT_lod: { ids: [0] } } }],
 ]);
 
+const groupLevel = { '/nodes/0/extensions/MSFT_lod': { ids: [3] } };
+const coverage = (value) => ({ '/nodes/0/extras': { MSFT_screencoverage: value } });
+group('lod', 0, inRich, [
+  ['group', 'a level has no mesh, but a node below it has', { ...groupLevel, '/nodes/6': { mesh: 2 }, '/nodes/3': { children: [6] } }],
+  ['group-around', 'a level of a node lies above it', { ...groupLevel, '/nodes/3': { children: [0] }, '/scenes/0/nodes': [2, 3, 4, 5] }],
+  ['coverage-number', 'the thresholds are a number', coverage(0.5)],
+  ['coverage-strings', 'the thresholds are strings', coverage(['0.5', '0'])],
+  ['coverage-ascending', 'the thresholds ascend', coverage([0.1, 0.5])],
+  ['coverage-1e39', 'a threshold is beyond 32-bit numbers', coverage([1e39, -1e39])],
+]);
+
 // Cells of the baked format -------------------------------------------------------
 
 const level = (lod, cells) => ({

@@ -69,6 +69,15 @@ TEST(Policy, TraitsOfAFrameAreThoseOfItsParts) {
                                   gpu::kTraitPatches);
 }
 
+TEST(Policy, CoverageNeedsNoErrorsOfLevels) {
+  EXPECT_EQ(traitsOf(LodRule::kCoverage), gpu::kTraitFollowsError | gpu::kTraitCoverage);
+  for (const LodRuleRow& row : lodRuleTable()) {
+    const bool usesTau = row.id == LodRule::kPixelError || row.id == LodRule::kLvError || row.id == LodRule::kPrice;
+    EXPECT_EQ(usesErrors(row), usesTau) << row.name;
+    EXPECT_EQ(row.followsCoverage, row.id == LodRule::kCoverage) << row.name;
+  }
+}
+
 TEST(Policy, ErrorsAreMaskedOnlyWhereTheCoverIsKnownAndHolesDoNotCountAlready) {
   FramePolicy policy{
       .cullMode = CullMode::kHiz, .lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone, .masking = true};

@@ -8,18 +8,19 @@
 namespace jalousie::scatter {
 namespace {
 
-const SourceChain& ballChain() {
-  static const SourceChain chain = findSourceChain(test::bakedBall());
-  return chain;
+const SourceAsset& ball() {
+  static const SourceAsset source = findSourceAsset(test::bakedBall());
+  return source;
 }
 
-asset::Instances place(const Layout& layout, const SourceChain& chain = ballChain()) {
+asset::Instances place(const Layout& layout, const SourceAsset& source = ball()) {
   Progress progress("test", 0, true);
-  return placeObjects(layout, chain, progress);
+  return instancesOf(placeObjects(layout, sideOf(layout, source), progress), source, source.parts.front());
 }
 
 glm::vec3 boxCenter(const asset::Instances& instances, std::size_t i) {
-  return instances.translations[i] + instances.rotations[i] * (instances.scales[i] * ballChain().boxObject.center());
+  return instances.translations[i] +
+         instances.rotations[i] * (instances.scales[i] * ball().parts[0].boxObject.center());
 }
 
 Layout cube(std::uint32_t count, float side) {
@@ -111,18 +112,18 @@ TEST(ScatterLayout, ScalesAreUniformAndInRange) {
 TEST(ScatterLayout, SideInDiagonalsFollowsTheObject) {
   Layout layout;
   layout.sideDiagonals = 10.0F;
-  EXPECT_NEAR(sideOf(layout, ballChain()), 10.0F * std::sqrt(12.0F), 1e-3F);
+  EXPECT_NEAR(sideOf(layout, ball()), 10.0F * std::sqrt(12.0F), 1e-3F);
   layout.side = 7.0F;
-  EXPECT_EQ(sideOf(layout, ballChain()), 7.0F);
+  EXPECT_EQ(sideOf(layout, ball()), 7.0F);
 }
 
 TEST(ScatterLayout, TransformOfTheInputNodeIsKept) {
   tinygltf::Model model = test::bakedBall();
   model.nodes[0].scale = {2.0, 2.0, 3.0};
   model.nodes[0].rotation = {0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)};
-  const SourceChain chain = findSourceChain(model);
-  EXPECT_NEAR(chain.diagonal(), std::sqrt(16.0F + 16.0F + 36.0F), 1e-4F);
-  const asset::Instances instances = place(cube(1, 1.0F), chain);
+  const SourceAsset source = findSourceAsset(model);
+  EXPECT_NEAR(source.diagonal, std::sqrt(16.0F + 16.0F + 36.0F), 1e-4F);
+  const asset::Instances instances = place(cube(1, 1.0F), source);
   EXPECT_EQ(instances.scales[0], glm::vec3(2, 2, 3));
   const glm::vec3 turned = instances.rotations[0] * glm::vec3(1, 0, 0);
   EXPECT_NEAR(turned.y, 1.0F, 1e-5F);
@@ -131,11 +132,11 @@ TEST(ScatterLayout, TransformOfTheInputNodeIsKept) {
 TEST(ScatterLayout, ShearAndEmptyScenesAreUnsupported) {
   tinygltf::Model sheared = test::bakedBall();
   sheared.nodes[0].matrix = {1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  EXPECT_EQ(test::codeOf([&] { findSourceChain(sheared); }), ErrorCode::kUnsupported);
+  EXPECT_EQ(test::codeOf([&] { findSourceAsset(sheared); }), ErrorCode::kUnsupported);
   tinygltf::Model flat = test::bakedBall();
   flat.nodes[0].scale = {1, 0, 1};
-  EXPECT_EQ(test::codeOf([&] { findSourceChain(flat); }), ErrorCode::kUnsupported);
-  EXPECT_EQ(test::codeOf([&] { findSourceChain(tinygltf::Model()); }), ErrorCode::kUnsupported);
+  EXPECT_EQ(test::codeOf([&] { findSourceAsset(flat); }), ErrorCode::kUnsupported);
+  EXPECT_EQ(test::codeOf([&] { findSourceAsset(tinygltf::Model()); }), ErrorCode::kUnsupported);
 }
 
 }  // namespace

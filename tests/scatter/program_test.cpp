@@ -55,6 +55,28 @@ TEST_F(ScatterProgram, WritesSceneAndReport) {
   EXPECT_EQ(report["camera_frames"], 1800);
 }
 
+TEST_F(ScatterProgram, SaysWhatIsLeftOutInOneLineAKind) {
+  ASSERT_EQ(run("ball.glb --count 3 -o crowd.glb").code, 0);
+  const Outcome outcome = run("crowd.glb --count 2 -o crowds.glb --json report.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors,
+            "jalousie-scatter: warning: crowd.glb: not scattered: 2 animation channels\n"
+            "jalousie-scatter: warning: crowd.glb: not scattered: 1 cameras\n");
+  EXPECT_NE(outcome.output.find("2 objects of 3 meshes"), std::string::npos) << outcome.output;
+  const auto report = nlohmann::json::parse(textOf(folder_ / "report.json"));
+  EXPECT_EQ(report["meshes_per_object"], 3);
+  EXPECT_EQ(report["ignored"]["cameras"], 1);
+  EXPECT_TRUE(run("crowd.glb --count 2 -o crowds.glb --quiet").errors.empty());
+}
+
+TEST_F(ScatterProgram, InstancesOfAllMeshesHaveALimit) {
+  ASSERT_EQ(run("ball.glb --count 5000 -o crowd.glb").code, 0);
+  const Outcome outcome = run("crowd.glb --count 5000 -o crowds.glb");
+  EXPECT_EQ(outcome.code, static_cast<int>(ErrorCode::kLimit));
+  EXPECT_NE(outcome.errors.find("5000 objects of 5000 meshes"), std::string::npos) << outcome.errors;
+  EXPECT_FALSE(written("crowds.glb"));
+}
+
 TEST_F(ScatterProgram, RunningTwiceGivesTheSameBytes) {
   EXPECT_EQ(run("ball.glb --preset thesis-5001 -o a.glb").code, 0);
   EXPECT_EQ(run("ball.glb --preset thesis-5001 -o b.glb").code, 0);

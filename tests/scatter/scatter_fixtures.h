@@ -6,7 +6,7 @@
 #include "asset/accessor.h"
 #include "asset/asset_fixtures.h"
 #include "asset/lod_chain.h"
-#include "scatter/source_chain.h"
+#include "scatter/source_asset.h"
 
 namespace jalousie::test {
 

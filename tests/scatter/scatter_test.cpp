@@ -139,11 +139,110 @@ TEST(Scatter, OccluderDoesNotMoveTheObjects) {
             translations(scatter(parse({"--count", "9", "--occluder", "foliage"}))));
 }
 
-TEST(Scatter, InputsOwnNodesCamerasAndAnimationsAreLeftOut) {
-  const Options options = parse({"--count", "4"});
-  const ScatteredScene once = scatter(options);
-  const ScatteredScene twice = scatter(options, once.model);
-  EXPECT_EQ(asset::encodeGlb(twice.model), asset::encodeGlb(once.model));
+/// A ball with its chain; below it a small ball at a corner, turned and scaled; and beside it a node with two
+/// instances of the small ball, a camera, a light and an animation.
+tinygltf::Model toy() {
+  tinygltf::Model model = test::bakedBall();
+  const int small = test::addBall(model, 0);
+  const int arm = test::addNode(model, -1, "arm");
+  model.nodes[0].children = {arm};
+  model.nodes[0].translation = {1.0, 2.0, 3.0};
+  model.nodes[0].rotation = {0.5, 0.5, 0.5, 0.5};
+  const int hand = test::addNode(model, small, "hand");
+  model.nodes[static_cast<std::size_t>(arm)].children = {hand};
+  model.nodes[static_cast<std::size_t>(hand)].scale = {0.1, 0.2, 0.3};
+  model.nodes[static_cast<std::size_t>(hand)].translation = {0.0, 4.0, 0.0};
+  const int wheels = test::addNode(model, small, "wheels");
+  asset::Instances instances;
+  instances.translations = {{0, 0, -3}, {0, 0, 6}};
+  instances.rotations.assign(2, glm::quat(1, 0, 0, 0));
+  instances.scales.assign(2, glm::vec3(0.5F));
+  const tinygltf::Value value = asset::appendInstances(model, instances);
+  model.nodes[static_cast<std::size_t>(wheels)].extensions["EXT_mesh_gpu_instancing"] = value;
+  test::setScene(model, {0, wheels});
+  return model;
+}
+
+/// The scene's transforms of one mesh after the other, in the order of the file.
+std::vector<glm::mat4> transformsOf(const asset::SceneFile& file) {
+  std::vector<glm::mat4> transforms;
+  for (const asset::Instance& instance : file.instances)
+    transforms.push_back(instance.worldFromObject);
+  return transforms;
+}
+
+TEST(Scatter, AllMeshesOfAnAssetKeepTheirPlacesInEachObject) {
+  const tinygltf::Model model = toy();
+  const ScatteredScene scene = scatter(parse({"--count", "5", "--rotate", "any", "--scale", "0.5,2"}), model);
+  EXPECT_EQ(scene.summary.meshesPerObject, 4U);
+  EXPECT_EQ(scene.summary.trianglesPerObject, 128U + 3 * 8U);
+  EXPECT_EQ(scene.summary.levels, 3U);
+  EXPECT_TRUE(scene.summary.ignored.empty());
+  const std::vector<glm::mat4> source = transformsOf(asset::readScene(model, "toy.glb"));
+  const std::vector<glm::mat4> all = transformsOf(readBack(scene));
+  ASSERT_EQ(source.size(), 4U);
+  ASSERT_EQ(all.size(), 20U);
+  for (std::size_t object = 0; object < 5; ++object) {  // 5 balls, 5 hands, then 2 wheels for each object
+    const glm::mat4 worldFromAsset = all[object] * glm::inverse(source[0]);
+    const glm::mat4 others[] = {all[5 + object], all[10 + 2 * object], all[11 + 2 * object]};
+    for (std::size_t part = 1; part < 4; ++part) {
+      const glm::mat4 expected = worldFromAsset * source[part];
+      for (int column = 0; column < 4; ++column)
+        EXPECT_LT(glm::distance(expected[column], others[part - 1][column]), 1e-4F) << object << " " << part;
+    }
+  }
+}
+
+TEST(Scatter, TheBoxOfAnAssetIsInTheMiddleAndWithinTheBounds) {
+  const ScatteredScene scene = scatter(parse({"--count", "1"}), toy());
+  const asset::SceneFile file = readBack(scene);
+  Aabb exact;
+  for (const asset::Instance& instance : file.instances)
+    for (const glm::vec3& p : file.meshes[file.chains[instance.chain].levels[0].mesh].primitives[0].positions)
+      exact.add(glm::vec3(instance.worldFromObject * glm::vec4(p, 1.0F)));
+  EXPECT_LT(glm::length(scene.summary.boundsWorld.center()), 1e-4F);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(scene.summary.boundsWorld.min[axis], exact.min[axis] + 1e-4F);
+    EXPECT_GE(scene.summary.boundsWorld.max[axis], exact.max[axis] - 1e-4F);
+  }
+}
+
+TEST(Scatter, MeshesThatNodesShareAreWrittenOnceAndChainsAreKept) {
+  const tinygltf::Model model = scatter(parse({"--count", "3"}), toy()).model;
+  EXPECT_EQ(model.meshes.size(), 4U) << "three levels of the ball, one small ball";
+  EXPECT_EQ(model.nodes.size(), 6U) << "three levels, hand, wheels, camera";
+  EXPECT_EQ(asset::lodNodes(model, 0).size(), 2U);
+  EXPECT_EQ(model.nodes[3].name, "hand");
+  const asset::SceneFile file = readBack(scatter(parse({"--count", "3"}), toy()));
+  EXPECT_EQ(file.chains.size(), 2U);
+  EXPECT_EQ(file.chains[0].coverage, (std::vector<float>{0.5F, 0.1F, 0.0F}));
+}
+
+TEST(Scatter, WhatIsLeftOutIsCounted) {
+  tinygltf::Model model = scatter(parse({"--count", "4"})).model;  // with a camera and its animation
+  test::addNode(model, -1, "lamp");
+  model.nodes.back().extensions["KHR_lights_punctual"] = tinygltf::Value(tinygltf::Value::Object());
+  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
+  const ScatteredScene twice = scatter(parse({"--count", "3"}), model);
+  EXPECT_EQ(twice.summary.meshesPerObject, 4U);
+  EXPECT_EQ(twice.summary.ignored, (asset::ContentCounts{{"animation channels", 2}, {"cameras", 1}, {"lights", 1}}));
+  const asset::SceneFile file = readBack(twice);
+  EXPECT_EQ(file.instances.size(), 12U);
+  EXPECT_EQ(file.cameras.size(), 1U);
+}
+
+TEST(Scatter, OfAGroupWithLevelsTheFinestIsTaken) {
+  tinygltf::Model model = toy();
+  const int group = test::addNode(model, -1, "group");
+  const int coarse = test::addNode(model, -1, "coarse");
+  model.nodes[static_cast<std::size_t>(group)].children = {0};
+  const int coarseMesh = test::addNode(model, 2);
+  model.nodes[static_cast<std::size_t>(coarse)].children = {coarseMesh};
+  asset::setLodChain(model, group, std::vector<int>{coarse}, std::vector<float>{0.5F, 0.0F});
+  test::setScene(model, {group});
+  const ScatteredScene scene = scatter(parse({"--count", "2"}), model);
+  EXPECT_EQ(scene.summary.meshesPerObject, 2U);
+  EXPECT_EQ(scene.summary.ignored, (asset::ContentCounts{{"groups with levels, of which LOD 0 is scattered", 1}}));
 }
 
 TEST(Scatter, PresetsAreTheThesisScenes) {

@@ -103,6 +103,7 @@ asset::SceneFile sphereChain(std::uint32_t levels) {
     file.meshes.push_back({"sphere", {sphere(segments, std::max(3U, segments / 2))}});
     const float error = k == 0 ? 0.0F : 1.0F - std::cos(std::numbers::pi_v<float> / static_cast<float>(segments));
     chain.levels.push_back({k, error});
+    chain.coverage.push_back(k + 1 < levels ? 0.02F / static_cast<float>(1U << 2 * k) : 0.0F);
   }
   file.chains.push_back(std::move(chain));
   return file;

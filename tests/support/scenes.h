@@ -21,7 +21,8 @@ asset::Primitive box(const glm::vec3& halfExtent, std::uint32_t material = 0);
 /// Wall in the plane z = 0, [-1, 1]^2, facing +z, whose cells (cells x cells) are open with the given share (seeded).
 asset::Primitive perforatedWall(std::uint32_t cells, float openShare, Random& random, std::uint32_t material = 0);
 
-/// File with one default material and one chain of spheres, `levels` of them, each with a quarter of the triangles.
+/// File with one default material and one chain of spheres, `levels` of them, each with a quarter of the triangles, its
+/// error, and its least share of the screen.
 asset::SceneFile sphereChain(std::uint32_t levels);
 
 /// A sphere as ASCII PLY, without normals.

@@ -167,7 +167,7 @@ TEST_F(AnalyseGl, MaskedErrorsEqualTheTwin) {
     const GivenMap map(kSize, structuredPixels(kSize, 3));
     const GivenDepth depth(kSize, structuredDepth(kSize, 3), usesMap ? DepthSource::kCovered : DepthSource::kAll, true);
     const Cover cover{usesMap ? &map.reference : nullptr, rowOf(mode).usesDepth ? &depth.reference : nullptr};
-    for (const LodRule rule : {LodRule::kPixelError, LodRule::kLvError, LodRule::kPrice}) {
+    for (const LodRule rule : {LodRule::kPixelError, LodRule::kCoverage, LodRule::kLvError, LodRule::kPrice}) {
       const FramePolicy policy{.cullMode = mode, .lodRule = rule, .lvMeasure = LvMeasure::kCoverage, .masking = true};
       gpu::CullView view = makeView(scene, {}, kSize, 0.0F, policy);
       view.occluderTau = 0.0F;

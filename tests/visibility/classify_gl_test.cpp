@@ -377,7 +377,7 @@ TEST_F(ClassifyGl, MaskedErrorsInEveryModeCalmAndNot) {
   const SceneData scene = scene::buildScene(test::randomSpheres(400, 10.0F, 12), {.patches = true});
   const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
   for (const CullModeRow& mode : cullModeTable()) {
-    for (const LodRule rule : {LodRule::kPixelError, LodRule::kLvError, LodRule::kPrice}) {
+    for (const LodRule rule : {LodRule::kPixelError, LodRule::kCoverage, LodRule::kLvError, LodRule::kPrice}) {
       for (const LvMeasure measure : {LvMeasure::kCoverage, LvMeasure::kChord, LvMeasure::kPixels}) {
         gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F,
                                       {.cullMode = mode.id, .lodRule = rule, .lvMeasure = measure, .masking = true});
@@ -428,6 +428,47 @@ TEST_F(ClassifyGl, PricesAtTheirLimits) {
       }
     }
   }
+}
+
+TEST_F(ClassifyGl, CoverageAtItsLimits) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  asset::SceneFile file = test::randomSpheres(300, 10.0F, 12);
+  const std::vector<asset::LodLevel> levels = file.chains[0].levels;
+  file.chains.push_back({"no thresholds", levels});
+  file.chains.push_back({"one threshold", levels, {0.004F}});
+  file.chains.push_back({"huge thresholds", levels, {3e38F, 3e38F, 1.0F, 1.0F}});
+  file.chains.push_back({"tiny thresholds", levels, {1e-38F, 1e-45F, 0.0F, 0.0F}});
+  file.chains.push_back({"one level", {levels[0]}, {0.5F}});
+  for (std::size_t i = 0; i < file.instances.size(); ++i)
+    file.instances[i].chain = static_cast<std::uint32_t>(i % file.chains.size());
+  const SceneData scene = scene::buildScene(file);
+  EXPECT_TRUE(scene.hasUncoveredChains);
+  const scene::Camera camera = scene::lookAt({4, 3, 22}, {0, 0.5F, 0}, scene.boundsWorld);
+  std::size_t drawn[4] = {};
+  for (const float tau : {0.0F, 1e-20F, 0.3F, 1.0F, 4.0F, 1000.0F, 1e19F, kInfinity, std::nanf("")}) {
+    for (const gpu::uint calm : {0U, 1U}) {
+      gpu::CullView view = makeView(scene, camera, {640, 360}, 20.0F, {.lodRule = LodRule::kCoverage});
+      view.tau = tau;
+      view.calm = calm;
+      view.hysteresis = 1.3F;
+      SCOPED_TRACE(testing::Message() << "tau " << tau << ", calm " << calm);
+      const std::vector<LastFrame> last = randomHistory(scene, view);
+      const std::vector<ObjectDecision> actual = runKernel(scene, view, last, nullptr);
+      for (gpu::uint i = 0; i < scene.objects.size(); ++i) {
+        ASSERT_LT(actual[i].state.lod, scene.chains[scene.objects[i].chain].lodCount);
+        if (tau == 1.0F) ++drawn[actual[i].state.lod];
+        if (calm == 0 && scene.objects[i].chain == 1) {
+          EXPECT_EQ(actual[i].state.lod, 0U);
+        }
+        if (calm == 0 && scene.objects[i].chain == 2) {
+          EXPECT_LE(actual[i].state.lod, 1U);
+        }
+        if (std::isfinite(tau)) compareObject({scene, view, i, last[i], nullptr}, actual[i]);
+      }
+    }
+  }
+  for (const std::size_t objects : drawn)
+    EXPECT_GT(objects, 20U);
 }
 
 TEST_F(ClassifyGl, RealScenes) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -80,6 +81,58 @@ TEST(PixelError, NeverTakesALevelOfUnknownError) {
   const float unknown = std::numeric_limits<float>::infinity();
   EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F, unknown}), 1.0F, 1000.0F), 0U);
   EXPECT_EQ(pixelErrorLod(levelsWithErrors({0.0F, unknown}), 0.0F, 1000.0F), 0U) << "not a number is not within";
+}
+
+std::vector<gpu::Lod> levelsWithCoverage(std::initializer_list<float> thresholds) {
+  std::vector<gpu::Lod> levels = levelsWithErrors({});
+  for (const float threshold : thresholds)
+    levels.emplace_back().leastCoverage = threshold;
+  return levels;
+}
+
+TEST(Coverage, TakesTheFinestLevelThatIsReached) {
+  const auto levels = levelsWithCoverage({0.5F, 0.2F, 0.01F});
+  EXPECT_EQ(coverageLod(levels, 1.0F), 0U);
+  EXPECT_EQ(coverageLod(levels, 0.5F), 0U) << "equal counts as reached";
+  EXPECT_EQ(coverageLod(levels, 0.49F), 1U);
+  EXPECT_EQ(coverageLod(levels, 0.1F), 2U);
+  EXPECT_EQ(coverageLod(levels, 0.001F), 2U) << "below the last threshold an object is not lost";
+  EXPECT_EQ(coverageLod(levels, 0.0F), 2U);
+  EXPECT_EQ(coverageLod(levelsWithCoverage({0.5F}), 0.0F), 0U);
+}
+
+TEST(Coverage, UnknownThresholdsAndCoveragesGiveFineLevels) {
+  EXPECT_EQ(coverageLod(levelsWithCoverage({0.0F, 0.0F, 0.0F}), 0.0F), 0U) << "a chain without thresholds";
+  EXPECT_EQ(coverageLod(levelsWithCoverage({0.5F, 0.0F, 0.0F}), 1e-9F), 1U) << "level 2 has no threshold";
+  const auto levels = levelsWithCoverage({std::numeric_limits<float>::max(), 0.2F, 0.0F});
+  EXPECT_EQ(coverageLod(levels, std::nanf("")), 0U);
+  EXPECT_EQ(coverageLod(levels, std::numeric_limits<float>::infinity()), 0U);
+  EXPECT_EQ(coverageLod(levels, -1.0F), 2U);
+}
+
+TEST(Coverage, IsThatOfTheBoundingSphere) {
+  // A cube of side 2 has a sphere of diameter sqrt(12), here of 3464 pixels.
+  const float expected = 0.25F * std::numbers::pi_v<float> * 12.0F * 1e6F / (1920.0F * 1080.0F);
+  EXPECT_NEAR(sphereCoverage(glm::vec3(2.0F), 1000.0F, 1920.0F * 1080.0F), expected, 1e-5F * expected);
+}
+
+TEST(Coverage, BakedThresholdsMeanOnePixelOnTheScreenTheyAreMadeFor) {
+  const auto errors = {0.0F, 0.001F, 0.002F, 0.011F, 0.05F};
+  std::vector<gpu::Lod> levels = levelsWithErrors(errors);
+  constexpr float kScreen = 1920.0F * 1080.0F;
+  const glm::vec3 size(1.0F, 2.0F, 0.5F);
+  const float diagonal = glm::length(size);
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {  // as bake::screenCoverage
+    const float diameter = diagonal / levels[k + 1].errorObject;
+    levels[k].leastCoverage = 0.25F * std::numbers::pi_v<float> * diameter * diameter / kScreen;
+  }
+  for (float pixelsPerUnit = 1.0F; pixelsPerUnit < 5000.0F; pixelsPerUnit *= 1.0173F) {
+    for (const float tau : {0.5F, 1.0F, 3.0F}) {
+      EXPECT_EQ(coverageLod(levels, sphereCoverage(size, pixelsPerUnit, kScreen) / (tau * tau)),
+                pixelErrorLod(levels, pixelsPerUnit, tau))
+          << pixelsPerUnit << " pixels per unit, tau " << tau;
+    }
+  }
 }
 
 TEST(PixelError, TessellationHalvesTheLevelForFourTimesTheTau) {

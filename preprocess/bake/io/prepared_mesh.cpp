@@ -68,7 +68,7 @@ void refine(CombinedMesh& mesh, const BakeOptions& options) {
 }  // namespace
 
 MeshUse meshUse(const tinygltf::Model& model) {
-  MeshUse use{std::vector<std::vector<int>>(model.meshes.size()), levelNodes(model)};
+  MeshUse use{std::vector<std::vector<int>>(model.meshes.size()), levelNodes(model), finestGroupNodes(model)};
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     if (model.nodes[n].mesh >= 0)
       use.users[static_cast<std::size_t>(model.nodes[n].mesh)].push_back(static_cast<int>(n));
@@ -86,6 +86,7 @@ std::string reasonToPass(const tinygltf::Model& model, std::size_t index, const 
     if (node.skin >= 0) return "it is skinned";
     if (node.extensions.contains("MSFT_lod")) return "it has a chain already";
     if (use.isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
+    if (use.isInGroup[static_cast<std::size_t>(n)]) return "it is part of a group that has levels already";
   }
   return unbakeableReason(model.meshes[index]);
 }

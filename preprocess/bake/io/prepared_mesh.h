@@ -20,7 +20,8 @@ namespace jalousie::bake {
 /// Who shows which mesh before the bake.
 struct MeshUse {
   std::vector<std::vector<int>> users;  ///< per mesh the nodes that use it
-  std::vector<bool> isLevel;            ///< per node: it is a lower level of a chain
+  std::vector<bool> isLevel;            ///< per node: it is a lower level of a chain, or part of one
+  std::vector<bool> isInGroup;          ///< per node: it is part of LOD 0 of a group
 };
 MeshUse meshUse(const tinygltf::Model& model);
 

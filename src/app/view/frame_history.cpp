@@ -13,10 +13,11 @@ void FrameHistory::add(FrameSample sample) {
     samples_.pop_front();
 }
 
-std::string FrameHistory::json(const std::string& renderer, bool gpuTiming) const {
+std::string FrameHistory::json(const std::string& renderer, bool gpuTiming, const asset::ContentCounts& ignored) const {
   nlohmann::ordered_json root;
   root["renderer"] = renderer;
   root["timing"] = gpuTiming ? "gpu" : "wall";
+  root["ignored"] = nlohmann::ordered_json(ignored);
   root["frames"] = nlohmann::ordered_json::array();
   for (const FrameSample& sample : samples_) {
     nlohmann::ordered_json frame;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "asset/scene_types.h"
 #include "gl/pass_timer.h"
 #include "render/frame_statistics.h"
 
@@ -28,8 +29,10 @@ class FrameHistory {
   void clear() { samples_.clear(); }
   const std::deque<FrameSample>& samples() const { return samples_; }
 
-  /// {"renderer", "timing", "frames": [{"seconds", "frame_ms", "passes", and the counts of `jalousie render --json`}]}
-  std::string json(const std::string& renderer, bool gpuTiming) const;
+  /// {"renderer", "timing", "ignored", "frames": [{"seconds", "frame_ms", "passes", and the counts of
+  /// `jalousie render --json`}]}
+  /// @param ignored  what the document holds that is not drawn
+  std::string json(const std::string& renderer, bool gpuTiming, const asset::ContentCounts& ignored) const;
 
  private:
   std::deque<FrameSample> samples_;

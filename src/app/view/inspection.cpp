@@ -110,6 +110,16 @@ std::string budgetReason(const Inspection& i, const gpu::CullView& view) {
   return text;
 }
 
+/// The level as the share of the screen decides it, --lod coverage.
+std::string coverageReason(const Inspection& i, const gpu::CullView& view) {
+  return maskingReason(i) +
+         fmt::format(
+             "Level {} is the finest one whose MSFT_screencoverage the bounding sphere reaches, taken {:.3g} "
+             "times smaller. Where none is reached, it is the coarsest.",
+             i.chosen, i.tau) +
+         calmReason(view);
+}
+
 /// The level as its price decides it, --lod price.
 std::string priceReason(const Inspection& i, const gpu::CullView& view) {
   std::string text = maskingReason(i);
@@ -149,6 +159,7 @@ std::string whyText(const Inspection& i, const gpu::CullView& view) {
   if (!followsError && has(view.traits, gpu::kTraitFollowsLv)) return linearReason(i);
   if (!followsError) return "--lod finest draws every object at level 0.";
   if (has(view.traits, gpu::kTraitPrice)) return priceReason(i, view);
+  if (has(view.traits, gpu::kTraitCoverage) && i.cuts == 0) return coverageReason(i, view);
   return i.cuts > 0 ? patchReason(i) : budgetReason(i, view);
 }
 

@@ -62,8 +62,10 @@ void Outputs::saveFigures() {
 
 void Outputs::writeFigures(const std::filesystem::path& file) const {
   const gl::Capabilities& capabilities = window_.capabilities();
-  const std::string text = state_.history.json(capabilities.renderer, !capabilities.softwareRenderer);
-  writeText(file, text);
+  Document* document = documents_.current();
+  Side* side = document != nullptr ? document->side(0) : nullptr;
+  const asset::ContentCounts ignored = side != nullptr ? side->scene().ignored : asset::ContentCounts{};
+  writeText(file, state_.history.json(capabilities.renderer, !capabilities.softwareRenderer, ignored));
 }
 
 }  // namespace jalousie::app
