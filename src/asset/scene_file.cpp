@@ -186,6 +186,7 @@ class SceneReader {
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
     const InstanceTransforms instances = readInstances(model_, node, limits_);
+    if (keep_ == Keep::kAll) scene_.nodeNames.edit().push_back(model_.nodes[static_cast<std::size_t>(node)].name);
     if (instances.count == 0) addInstance(chain, glm::mat4(worldFromNode));
     const bool once = keep_ == Keep::kNothing && instances.areEqual();
     for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
@@ -197,7 +198,8 @@ class SceneReader {
   }
 
   void addInstance(std::uint32_t chain, const glm::mat4& worldFromObject) {
-    if (keep_ == Keep::kAll) scene_.instances.push_back({chain, worldFromObject});
+    if (keep_ == Keep::kNothing) return;
+    scene_.instances.push_back({chain, worldFromObject, static_cast<std::uint32_t>(scene_.nodeNames.size() - 1)});
   }
 
   const Model& model_;
