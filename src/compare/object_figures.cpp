@@ -25,7 +25,8 @@ struct Share {
   double flip = 0.0;
 };
 
-/// Object numbers of the picture and of the reference, row 0 at the bottom, and the error between both, row 0 at the top.
+/// Object numbers of the picture and of the reference, row 0 at the bottom, and the error between both, row 0 at the
+/// top.
 struct Compared {
   const std::vector<std::uint32_t>& ids;
   const std::vector<std::uint32_t>& referenceIds;

@@ -99,6 +99,8 @@ class Document {
   const std::vector<asset::Camera>& path() const { return path_; }
   /// Bounds of the scene; known as soon as the file is loaded.
   Aabb boundsWorld() const { return boundsWorld_; }
+  /// The file as it was read; null before, and while it cannot be read.
+  const asset::SceneFile* sceneFile() const { return scene_ ? &*scene_ : nullptr; }
   /// Frames of the first camera path; 0 if there is none.
   std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
 
