@@ -129,7 +129,8 @@ json toJson(const ObjectFigures& object) {
                  {"pixels", object.pixels},
                  {"allowed", toJson(object.allowed)},
                  {"error", toJson(object.errorPixels)},
-                 {"flip", object.flip}};
+                 {"flip", object.flip},
+                 {"finer", nullptr}};
   if (object.finer)
     result["finer"] = {{"triangles", object.finer->triangles}, {"error", toJson(object.finer->errorPixels)}};
   return result;
@@ -147,8 +148,8 @@ ObjectFigures objectFrom(const json& value) {
   object.allowed = maybeFrom(value.at("allowed"));
   object.errorPixels = maybeFrom(value.at("error"));
   object.flip = value.at("flip");
-  if (value.contains("finer"))
-    object.finer = OtherLevel{value.at("finer").at("triangles"), maybeFrom(value.at("finer").at("error"))};
+  if (const json& finer = value.at("finer"); !finer.is_null())
+    object.finer = OtherLevel{finer.at("triangles"), maybeFrom(finer.at("error"))};
   return object;
 }
 

@@ -317,15 +317,15 @@ TEST_F(ExperimentLog, OfAnotherExperimentIsRefusedAndLeftAlone) {
 TEST_F(ExperimentLog, OfAnotherVersionIsRefused) {
   startLog(folder(), kFingerprint);
   std::string text = textOf(file());
-  const std::size_t at = text.find("\"log\":3");
+  const std::size_t at = text.find("\"log\":4");
   ASSERT_NE(at, std::string::npos);
   writeText(file(), text.replace(at, 7, "\"log\":999"));
   EXPECT_EQ(readingFailsWith(), ErrorCode::kUsage);
 }
 
 TEST_F(ExperimentLog, GarbageIsMalformed) {
-  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 3}\n", "\xFF\xFE\n",
-                           "{\"log\": 3, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
+  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 4}\n", "\xFF\xFE\n",
+                           "{\"log\": 4, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
     writeText(file(), text);
     EXPECT_EQ(readingFailsWith(), ErrorCode::kMalformed) << text;
   }
