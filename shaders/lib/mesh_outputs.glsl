@@ -21,10 +21,10 @@ vec3 viewTint(uint objectId, Chain chain) {
     return coverTint(drawView.view, boxes[objectId].cover);
   if (drawView.view == kViewLv) return heatColor(clamp(0.5 * state.lv + 0.5, 0.0, 1.0));
   if (drawView.view == kViewPhase) return phaseColor(state.verdict, marks[objectId]);
-  float coarseness = drawView.patches != 0u
-                         ? float(drawView.maxTessellation - state.tessellation) /
-                               float(max(drawView.maxTessellation, 2u) - 1u)
-                         : float(state.lod) / float(max(chain.lodCount, 2u) - 1u);
+  uint coarser = drawView.patches != 0u ? drawView.maxTessellation - state.tessellation : state.lod;
+  if (drawView.view == kViewLevels) return levelColor(coarser);
+  uint levels = drawView.patches != 0u ? drawView.maxTessellation : chain.lodCount;
+  float coarseness = float(coarser) / float(max(levels, 2u) - 1u);
   vec3 color = lodColor(state.verdict == kVerdictOccluder, coarseness);
   return drawView.view == kViewLines ? lineColor(color) : color;
 }

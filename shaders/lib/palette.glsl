@@ -9,6 +9,14 @@ vec3 lodColor(bool occluder, float coarseness) {
   return mix(kColorFinestLod.rgb, kColorCoarsestLod.rgb, coarseness);
 }
 
+/// A colour of its own for each of kLevelColors levels.
+vec3 levelColor(uint level) {
+  const vec4 colors[kLevelColors] =
+      vec4[](kColorLevel0, kColorLevel1, kColorLevel2, kColorLevel3, kColorLevel4, kColorLevel5, kColorLevel6,
+             kColorLevel7, kColorLevel8, kColorLevel9, kColorLevel10, kColorLevel11);
+  return colors[level % kLevelColors].rgb;
+}
+
 /// Grey: drawn in phase 1; orange: in phase 2; red: in phase 1 although occluded.
 vec3 phaseColor(uint verdict, uint mark) {
   if (verdict == kVerdictStale) return kColorStale.rgb;

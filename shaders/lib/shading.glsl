@@ -2,7 +2,8 @@
 
 /// Whether a view shows the surfaces as they are: by itself, or under something else.
 bool isShadedView(uint view) {
-  return view == kViewShaded || view == kViewOcclusion || view == kViewOverdraw || view == kViewGhosts;
+  return view == kViewShaded || view == kViewOcclusion || view == kViewOverdraw || view == kViewGhosts ||
+         view == kViewDensity;
 }
 
 /// Light that a surface reflects to the eye, linear.

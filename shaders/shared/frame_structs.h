@@ -87,7 +87,9 @@ const uint kViewHoles = 6u;      // mean open chord of that block
 const uint kViewWireframe = 7u;  // colours of kViewLod under lines
 const uint kViewOverdraw = 8u;
 const uint kViewGhosts = 9u;  // shaded, with the culled objects over it
-const uint kViewCount = 10u;
+const uint kViewLevels = 10u;
+const uint kViewDensity = 11u;  // triangles per pixel
+const uint kViewCount = 12u;
 // Parts of a view, never asked for by themselves.
 const uint kViewLines = 100u;
 const uint kViewGhost = 101u;

@@ -16,6 +16,11 @@ const uint kScanBlock = 1024u;  // kScanGroupSize * kScanEntriesPerThread
 const float kHoleScalePixels = 256.0;
 /// Surfaces per pixel at the end of the scale of the overdraw view; it is logarithmic too.
 const float kOverdrawScale = 64.0;
+/// Triangles per pixel at both ends of the scale of the density view, which is logarithmic as well.
+const float kLeastDensity = 0.00390625;  // 1/256
+const float kMostDensity = 4.0;
+/// Area on the screen of a triangle that reaches behind the eye, pixels.
+const float kLargestTriangleArea = 1073741824.0;
 /// Side of the square workgroup of the kernels that handle one texel per thread.
 const uint kTexelGroupSide = 8u;
 /// Pixels of the item buffer that one thread counts.

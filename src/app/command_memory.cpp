@@ -82,9 +82,9 @@ MemoryEstimate viewNeeds(const asset::SceneSize& whole, const RenderOptions& opt
 }
 
 MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& comparison) {
-  // Two reference pictures with their prepared FLIP images, what preparing one takes, and a picture of each
-  // configuration.
-  const std::uint64_t pictureBytes = 2 * (4 + 20) + 44 + 16 + 4 * comparison.configurations;
+  // Two reference pictures with their prepared FLIP images, what preparing one takes, an error map with the
+  // object numbers of two pictures, and a picture of each configuration.
+  const std::uint64_t pictureBytes = 2 * (4 + 20) + 44 + 16 + 12 + 4 * comparison.configurations;
   MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
   MemoryEstimate each;
   for (const scene::BuildOptions& build : comparison.builds) {

@@ -85,6 +85,7 @@ compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path)
   plan.reference = references.at(options.reference);
   plan.lead = options.lead;
   plan.keep = options.keep;
+  plan.objects = options.objects;
   plan.taus = options.taus;
   plan.pixelsPerDegree = options.pixelsPerDegree;
   plan.butteraugli = options.butteraugli;
@@ -249,7 +250,7 @@ int compareScene(const CompareOptions& options) {
   const nlohmann::ordered_json summary =
       writeReport(options, experiment, setup, plan,
                   {options.scene.filename().string(), options.path.filename().string(), plan.renderer,
-                   plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION, plain.ignored});
+                   plan.gpuTiming ? "gpu" : "wall", options.command, JALOUSIE_VERSION, plain.ignored, &plain.names});
   if (options.json == kStandardOutput)
     printOutput(jsonText(summary));
   else if (!options.quiet)

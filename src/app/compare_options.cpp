@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uint32_t kMostKept = 20;
 constexpr std::uint32_t kMostLead = 1000;
+constexpr std::uint32_t kMostObjects = 2000;
 constexpr std::size_t kMostTaus = 24;
 constexpr float kMostTau = 1000.0F;
 constexpr std::size_t kMostConfigurations = 16;
@@ -108,6 +109,9 @@ void addPictureOptions(CLI::App& command, CompareOptions& o) {
       ->type_name("tau=A:B");
   addNumber(command, "--keep", o.keep, {0, kMostKept},
             "Store pictures of this many frames, evenly spread over the measured ones; frames");
+  addNumber(command, "--objects", o.objects, {0, kMostObjects},
+            "List this many objects of each configuration, those with the largest error in the measured frame with the "
+            "largest error: level, error allowed and used, pixels, triangles; 0 turns this off; objects");
   addNumber(command, "--ppd", o.pixelsPerDegree, {compare::kLeastPixelsPerDegree, compare::kMostPixelsPerDegree},
             "Resolution at the viewing distance that FLIP assumes; pixels per degree of visual angle");
   command.add_flag("--butteraugli", o.butteraugli,

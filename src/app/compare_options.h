@@ -35,6 +35,7 @@ struct CompareOptions {
   std::uint32_t height = 720;
   std::uint32_t keep = 6;
   std::uint32_t lead = 8;
+  std::uint32_t objects = 100;
   double pixelsPerDegree = compare::kDefaultPixelsPerDegree;
   bool butteraugli = false;
   MemoryLimit memory{kDefaultMaxMemory, "--max-memory"};

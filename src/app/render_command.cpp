@@ -9,6 +9,7 @@
 #include "app/capture.h"
 #include "app/command_memory.h"
 #include "app/gl_debug.h"
+#include "app/shown_objects.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
@@ -35,7 +36,7 @@ scene::SceneData loadScene(const RenderOptions& options) {
   const asset::SceneFile file = readWithin(options.scene, options.memory,
                                            [&](const asset::SceneSize& size) { return renderNeeds(size, options); },
                                            {.observer = {}, .seconds = options.time});
-  return scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches, .cells = options.cells});
+  return scene::buildScene(file, buildOptionsOf(file, options));
 }
 
 void render(const RenderOptions& options) {

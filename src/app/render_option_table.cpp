@@ -279,6 +279,12 @@ std::vector<RenderOption> viewRows() {
        "red, "
        "occluders white",
        OptionGroup::kView, FlagValue{[](Options& o) -> bool& { return o.frameOptions.boxes; }}},
+      {"--hide", "hidden objects", "",
+       "Leave out these objects: a list, separated by commas, of names of nodes or meshes, of numbers in the order of "
+       "the file, and of ranges of numbers such as 3-7. The cameras stay where they are",
+       OptionGroup::kView, TextValue{[](Options& o) -> std::string& { return o.hide; }, "LIST"}},
+      {"--only", "only these objects", "", "Leave out all objects but these: a list as of --hide", OptionGroup::kView,
+       TextValue{[](Options& o) -> std::string& { return o.only; }, "LIST"}},
       {"--settle", "settle", "frames",
        "Render so many frames from the same camera before the picture; 0 shows the first frame after a cut",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.settle; }, 0, 1000},
@@ -333,6 +339,7 @@ std::string valueText(const RenderOption& option, const RenderOptions& options) 
           [&](const CountValue& v) { return fmt::format("{}", v.of(copy)); },
           [&](const MaybeCountValue& v) { return v.of(copy) ? fmt::format("{}", *v.of(copy)) : std::string(); },
           [&](const FlagValue& v) { return std::string(v.of(copy) ? "on" : ""); },
+          [&](const TextValue& v) { return v.of(copy); },
           [&](const FileValue& v) { return v.of(copy).string(); },
       },
       option.value);
@@ -394,6 +401,7 @@ void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptio
           [&](const CountValue& v) { return number(add(v, std::uint32_t()), v.least, v.most, "COUNT"); },
           [&](const MaybeCountValue& v) { return number(add(v, std::uint32_t()), v.least, v.most, "COUNT"); },
           [&](const FlagValue& v) { return command.add_flag(option.name, v.of(options), help); },
+          [&](const TextValue& v) { return add(v, std::string())->type_name(v.type); },
           [&](const FileValue& v) { return add(v, std::string())->type_name(v.type); },
       },
       option.value);

@@ -45,12 +45,16 @@ struct MaybeCountValue {  ///< absent: no limit
 struct FlagValue {
   bool& (*of)(RenderOptions&);
 };
+struct TextValue {  ///< empty: absent
+  std::string& (*of)(RenderOptions&);
+  const char* type;
+};
 struct FileValue {
   std::filesystem::path& (*of)(RenderOptions&);
   const char* type;
 };
-using OptionValue =
-    std::variant<ChoiceValue, NumberValue, MaybeNumberValue, CountValue, MaybeCountValue, FlagValue, FileValue>;
+using OptionValue = std::variant<ChoiceValue, NumberValue, MaybeNumberValue, CountValue, MaybeCountValue, FlagValue,
+                                 TextValue, FileValue>;
 
 /// What an option is about; the panel has a section for each.
 enum class OptionGroup { kCulling, kDetail, kDrawing, kView };

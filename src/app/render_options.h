@@ -39,6 +39,8 @@ struct RenderOptions {
   bool debug = false;  ///< use an OpenGL debug context; its messages set the exit code
   bool coreOnly = false;
   scene::CellOptions cells{scene::CellOptions::Kind::kAutomatic};  ///< how the scene is built
+  std::string hide;             ///< list of objects that are left out (app/shown_objects.h); empty: none
+  std::string only;             ///< list of objects that are drawn, alone; empty: all
   std::set<std::string> given;  ///< names of the table's options that the command line holds, whatever their value
   render::FrameOptions frameOptions;
   render::RendererOptions rendererOptions;

@@ -125,7 +125,9 @@ class SceneReader {
     if (visit.isInGroup) return;
     if (isLodGroup(model_, visit.node)) {
       const std::optional<std::uint32_t> group = groupChainOf(visit.node, worldFromNode);
-      if (group) addInstance(*group, worldFromNode);
+      if (!group) return;
+      beginNode(visit.node);
+      addInstance(*group, worldFromNode);
       return;
     }
     if (node.mesh < 0) return;
@@ -256,6 +258,7 @@ class SceneReader {
 
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
     const InstanceTransforms instances = readInstances(model_, node, limits_);
+    beginNode(node);
     if (instances.count == 0) addInstance(chain, worldFromNode);
     const bool once = keep_ == Keep::kNothing && instances.areEqual();
     for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
@@ -266,9 +269,15 @@ class SceneReader {
     }
   }
 
+  /// The node whose instances come next.
+  void beginNode(int node) {
+    if (keep_ == Keep::kAll) scene_.nodeNames.edit().push_back(model_.nodes[static_cast<std::size_t>(node)].name);
+  }
+
   void addInstance(std::uint32_t chain, const glm::dmat4& worldFromObject) {
     if (keep_ != Keep::kAll) return;
-    scene_.instances.push_back({chain, glm::mat4(worldFromObject)});
+    const auto name = static_cast<std::uint32_t>(scene_.nodeNames.size() - 1);
+    scene_.instances.push_back({chain, glm::mat4(worldFromObject), name});
     places_.emplace_back(worldFromObject[3]);
   }
 

@@ -107,6 +107,7 @@ struct Chain {
 struct Instance {
   std::uint32_t chain = 0;
   glm::mat4 worldFromObject{1.0F};
+  std::uint32_t node = 0;  ///< index into SceneFile::nodeNames
 };
 
 /// Sampled motion of a camera; times ascending, seconds, linear interpolation (slerp for rotations).
@@ -138,8 +139,9 @@ struct SceneFile {
   std::vector<Material> materials;  ///< never empty
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;
-  std::vector<Instance> instances;  ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
-  std::vector<Camera> cameras;      ///< cameras in the scene, in order of traversal
+  std::vector<Instance> instances;      ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
+  SharedVector<std::string> nodeNames;  ///< of the nodes with a mesh, in order of traversal; empty where unnamed
+  std::vector<Camera> cameras;          ///< cameras in the scene, in order of traversal
   /// Point of the document that all instances and cameras are placed relative to: 0, or the middle of a scene that is
   /// far from the document's origin, where a float has too few digits.
   glm::dvec3 originWorld{0.0};

@@ -35,6 +35,41 @@ double temporalError(const FlipImage& before, const FlipImage& after, const std:
   return mean(moved);
 }
 
+/// The measured frame in which a configuration has the largest FLIP over the pixels that show an object; the first one
+/// of equals. @pre the configuration has been measured (checked)
+std::uint32_t worstFrame(const Results& results, std::size_t configuration) {
+  const Sample* worst = nullptr;
+  const auto errorOf = [](const Sample& s) { return s.error ? s.error->flipCovered.value_or(s.error->flip) : 0.0; };
+  for (const Sample& sample : results.samples)
+    if (sample.configuration == configuration && (worst == nullptr || errorOf(sample) > errorOf(*worst)))
+      worst = &sample;
+  const bool wasMeasured = worst != nullptr;
+  JAL_CHECK(wasMeasured);
+  return worst->frame;
+}
+
+/// The column with half of the weight on each side, share of the width; absent without any weight.
+std::optional<double> middleColumn(const std::vector<float>& weights, std::size_t width) {
+  std::vector<double> columns(width);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    columns[i % width] += static_cast<double>(weights[i]);
+    sum += static_cast<double>(weights[i]);
+  }
+  if (!(sum > 0.0)) return std::nullopt;
+  double left = 0.0;
+  std::size_t column = 0;
+  for (; column + 1 < width && left + columns[column] < 0.5 * sum; ++column)
+    left += columns[column];
+  return (static_cast<double>(column) + 0.5) / static_cast<double>(width);
+}
+
+/// KeptSample::subject. @param covered  coveredPixels()
+double subjectOf(const std::vector<float>& error, const std::vector<std::uint8_t>& covered, std::size_t width) {
+  if (const auto column = middleColumn(error, width)) return *column;
+  return middleColumn(std::vector<float>(covered.begin(), covered.end()), width).value_or(0.5);
+}
+
 }  // namespace
 
 Experiment::Experiment(ExperimentInputs inputs)
@@ -58,6 +93,9 @@ void Experiment::planSteps() {
   const Plan& plan = inputs_.plan;
   for (const std::uint32_t frame : plan.range.frames())
     steps_.push_back({StepKind::kFrame, frame});
+  const bool pictures = plan.reference != Reference::kNone && !steps_.empty();
+  for (std::size_t c = 0; c < inputs_.configurations.size() && pictures && plan.objects > 0; ++c)
+    steps_.push_back({.kind = StepKind::kObjects, .configuration = c});
   const std::vector<std::uint32_t> kept = plan.keptFrames();
   for (const std::uint32_t frame : kept)
     steps_.push_back({StepKind::kKeep, frame});
@@ -84,6 +122,8 @@ std::string Experiment::nextStep() const {
   switch (step.kind) {
     case StepKind::kFrame:
       return fmt::format("frame {}", step.frame);
+    case StepKind::kObjects:
+      return fmt::format("objects of {}", inputs_.configurations[step.configuration].name);
     case StepKind::kKeep:
       return fmt::format("pictures of frame {}", step.frame);
     case StepKind::kSweep:
@@ -99,6 +139,9 @@ void Experiment::runStep() {
   switch (step.kind) {
     case StepKind::kFrame:
       added.samples = runFrame(step.frame);
+      break;
+    case StepKind::kObjects:
+      added.objects = runObjects(step.configuration);
       break;
     case StepKind::kKeep:
       added.kept = runKeep(step.frame);
@@ -215,6 +258,23 @@ void Experiment::addErrors(std::vector<Sample>& samples, const std::vector<Shown
   }
 }
 
+/// Lists the objects of one configuration in its worst frame.
+std::vector<ObjectsSample> Experiment::runObjects(std::size_t configuration) {
+  const std::uint32_t frame = worstFrame(results_, configuration);
+  const render::FrameOptions& options = inputs_.configurations[configuration].frame;
+  render::FrameRenderer& target = renderer(configuration);
+  approach(target, options, frame);
+  target.render(options, cameraAt(inputs_.path, frame), cameraAt(inputs_.path, frame));
+  const FlipImage seen(target.readImage(), inputs_.plan.pixelsPerDegree);
+  const std::vector<float> error = flipMap(reference_.flip(frame), seen);
+  ObjectsSample sample = figuresOf(target, *inputs_.scenes.ofConfigurations.at(configuration), error,
+                                   reference_.ids(frame), inputs_.plan.objects);
+  sample.frame = frame;
+  sample.configuration = configuration;
+  lastFrame_.reset();
+  return {std::move(sample)};
+}
+
 std::vector<KeptSample> Experiment::runKeep(std::uint32_t frame) {
   const std::vector<float> motion = reference_.motion(frame > 0 ? frame - 1 : frame, frame);
   std::vector<KeptSample> result;
@@ -244,6 +304,8 @@ KeptSample Experiment::keep(std::size_t configuration, std::uint32_t frame, cons
   const FlipImage seen(image, plan.pixelsPerDegree);
   const FlipImage frozen(draw(frame), plan.pixelsPerDegree);
   const ImageRgba8 levels = draw(frame, View::kLod);
+  target.renderIds();
+  const std::vector<std::uint8_t> covered = coveredPixels(target.readIds(), plan.width);
 
   const std::vector<float> change = flipMap(seen, frozen);
   const std::vector<float> error = flipMap(reference_.flip(frame), seen);
@@ -253,8 +315,12 @@ KeptSample Experiment::keep(std::size_t configuration, std::uint32_t frame, cons
   save(image, Picture::kImage);
   save(errorPicture(error, plan.width, plan.height), Picture::kError);
   save(levels, Picture::kLod);
-  return {frame, configuration, mean(change), static_cast<double>(*std::max_element(change.begin(), change.end())),
-          temporalError(last, seen, motion)};
+  return {frame,
+          configuration,
+          mean(change),
+          static_cast<double>(*std::max_element(change.begin(), change.end())),
+          temporalError(last, seen, motion),
+          subjectOf(error, covered, plan.width)};
 }
 
 std::vector<SweepSample> Experiment::runSweep(std::uint32_t frame, float tau) {

@@ -59,11 +59,12 @@ class Experiment {
   const Results& results() const { return results_; }
 
  private:
-  enum class StepKind { kFrame, kKeep, kSweep };
+  enum class StepKind { kFrame, kObjects, kKeep, kSweep };
   struct Step {
     StepKind kind;
-    std::uint32_t frame;
+    std::uint32_t frame = 0;  ///< kObjects: known when the frames have been measured
     float tau = 1.0F;
+    std::size_t configuration = 0;  ///< kObjects
   };
   void planSteps();
   void readFinishedSteps();
@@ -74,6 +75,7 @@ class Experiment {
     std::vector<std::uint8_t> covered;
   };
   void addErrors(std::vector<Sample>& samples, const std::vector<Shown>& shown);
+  std::vector<ObjectsSample> runObjects(std::size_t configuration);
   std::vector<KeptSample> runKeep(std::uint32_t frame);
   KeptSample keep(std::size_t configuration, std::uint32_t frame, const std::vector<float>& motion);
   std::vector<SweepSample> runSweep(std::uint32_t frame, float tau);

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compare/statistics_table.h"
@@ -19,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kLogVersion = 3;
+constexpr int kLogVersion = 4;
 constexpr std::uint64_t kMaxLogBytes = 1ULL << 31U;
 
 std::filesystem::path logFile(const std::filesystem::path& folder) {
@@ -90,12 +92,13 @@ json toJson(const KeptSample& sample) {
           {"configuration", sample.configuration},
           {"frozen_mean", sample.frozenMean},
           {"frozen_largest", sample.frozenLargest},
-          {"temporal", sample.temporal}};
+          {"temporal", sample.temporal},
+          {"subject", sample.subject}};
 }
 
 KeptSample keptFrom(const json& value) {
-  return {value.at("frame"), value.at("configuration"), value.at("frozen_mean"), value.at("frozen_largest"),
-          value.at("temporal")};
+  return {value.at("frame"),          value.at("configuration"), value.at("frozen_mean"),
+          value.at("frozen_largest"), value.at("temporal"),      value.at("subject")};
 }
 
 json toJson(const SweepSample& sample) {
@@ -108,6 +111,64 @@ SweepSample sweepFrom(const json& value) {
           value.at("triangles"),     value.at("frame_ms"), errorFrom(value.at("error"))};
 }
 
+json toJson(const std::optional<double>& value) {
+  return value ? json(*value) : json();
+}
+
+std::optional<double> maybeFrom(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional<double>(value.get<double>());
+}
+
+json toJson(const ObjectFigures& object) {
+  json result = {{"object", object.object},
+                 {"chain", object.chain},
+                 {"drawn", object.drawn},
+                 {"level", object.level},
+                 {"tessellation", object.tessellation},
+                 {"triangles", object.triangles},
+                 {"pixels", object.pixels},
+                 {"allowed", toJson(object.allowed)},
+                 {"error", toJson(object.errorPixels)},
+                 {"flip", object.flip},
+                 {"finer", nullptr}};
+  if (object.finer)
+    result["finer"] = {{"triangles", object.finer->triangles}, {"error", toJson(object.finer->errorPixels)}};
+  return result;
+}
+
+ObjectFigures objectFrom(const json& value) {
+  ObjectFigures object;
+  object.object = value.at("object");
+  object.chain = value.at("chain");
+  object.drawn = value.at("drawn");
+  object.level = value.at("level");
+  object.tessellation = value.at("tessellation");
+  object.triangles = value.at("triangles");
+  object.pixels = value.at("pixels");
+  object.allowed = maybeFrom(value.at("allowed"));
+  object.errorPixels = maybeFrom(value.at("error"));
+  object.flip = value.at("flip");
+  if (const json& finer = value.at("finer"); !finer.is_null())
+    object.finer = OtherLevel{finer.at("triangles"), maybeFrom(finer.at("error"))};
+  return object;
+}
+
+json toJson(const ObjectsSample& sample) {
+  json rows = json::array();
+  for (const ObjectFigures& object : sample.rows)
+    rows.push_back(toJson(object));
+  return {{"frame", sample.frame}, {"configuration", sample.configuration},         {"listed", sample.listed},
+          {"flip", sample.flip},   {"flip_of_background", sample.flipOfBackground}, {"rows", std::move(rows)}};
+}
+
+ObjectsSample objectsFrom(const json& value) {
+  ObjectsSample sample{value.at("frame"), value.at("configuration"),      value.at("listed"),
+                       value.at("flip"),  value.at("flip_of_background"), {}};
+  for (const json& object : value.at("rows"))
+    sample.rows.push_back(objectFrom(object));
+  return sample;
+}
+
 Results stepFrom(const json& line) {
   Results results;
   for (const json& value : line.at("samples"))
@@ -116,6 +177,8 @@ Results stepFrom(const json& line) {
     results.kept.push_back(keptFrom(value));
   for (const json& value : line.at("sweep"))
     results.sweep.push_back(sweepFrom(value));
+  for (const json& value : line.at("objects"))
+    results.objects.push_back(objectsFrom(value));
   return results;
 }
 
@@ -126,13 +189,16 @@ void startLog(const std::filesystem::path& folder, const std::string& fingerprin
 }
 
 void appendLog(const std::filesystem::path& folder, const Results& step) {
-  json line = {{"samples", json::array()}, {"kept", json::array()}, {"sweep", json::array()}};
+  json line = {
+      {"samples", json::array()}, {"kept", json::array()}, {"sweep", json::array()}, {"objects", json::array()}};
   for (const Sample& sample : step.samples)
     line["samples"].push_back(toJson(sample));
   for (const KeptSample& sample : step.kept)
     line["kept"].push_back(toJson(sample));
   for (const SweepSample& sample : step.sweep)
     line["sweep"].push_back(toJson(sample));
+  for (const ObjectsSample& sample : step.objects)
+    line["objects"].push_back(toJson(sample));
   appendToFile(logFile(folder), line.dump() + "\n");
 }
 

@@ -98,6 +98,7 @@ std::string experimentFingerprint(const scene::SceneData& scene, const asset::Ca
   hash.value(plan.range.step);
   hash.value(plan.lead);
   hash.value(plan.keep);
+  hash.value(plan.objects);
   hash.values(plan.taus);
   hash.value(plan.baseline);
   hash.value(plan.gpuTiming);

@@ -112,13 +112,20 @@ ordered_json keptJson(const Results& results, const std::vector<Configuration>& 
   for (const std::uint32_t frame : frames) {
     ordered_json entry = {{"frame", frame}, {"reference", nullptr}, {"pictures", ordered_json::array()}};
     for (const Configuration& configuration : configurations)
-      entry["pictures"].push_back(
-          {{"name", configuration.name}, {"image", nullptr}, {"error", nullptr}, {"lod", nullptr}});
+      entry["pictures"].push_back({{"name", configuration.name},
+                                   {"image", nullptr},
+                                   {"error", nullptr},
+                                   {"lod", nullptr},
+                                   {"subject", nullptr}});
     kept.push_back(std::move(entry));
   }
   const auto add = [&](ordered_json& target, std::uint32_t frame, const std::string& name, Picture kind) {
     pictures.push_back({&target, pictureFile(folder, pictureName(frame, name, kind))});
   };
+  for (const KeptSample& sample : results.kept) {
+    const auto at = std::find(frames.begin(), frames.end(), sample.frame) - frames.begin();
+    kept[static_cast<std::size_t>(at)]["pictures"].at(sample.configuration)["subject"] = shortNumber(sample.subject);
+  }
   for (std::size_t i = 0; i < frames.size(); ++i) {
     add(kept[i]["reference"], frames[i], kReferenceName, Picture::kImage);
     for (std::size_t c = 0; c < configurations.size(); ++c) {

@@ -35,7 +35,9 @@ struct Plan {
   /// Frames that are rendered without being measured before each measured frame of a range with step > 1, before each
   /// kept frame and before each point of the sweep. They build the history that the measured frame depends on.
   std::uint32_t lead = 8;
-  std::uint32_t keep = 6;    ///< number of frames whose pictures are kept, evenly spread over the range
+  std::uint32_t keep = 6;  ///< number of frames whose pictures are kept, evenly spread over the range
+  /// Objects that are listed per configuration, in the frame in which its error is largest; 0: none.
+  std::uint32_t objects = 100;
   std::vector<float> taus;   ///< of the sweep, ascending, pixels; empty: no sweep
   std::size_t baseline = 0;  ///< index of the configuration that ratios refer to
   double pixelsPerDegree = kDefaultPixelsPerDegree;

@@ -67,6 +67,15 @@ const FlipImage& ReferenceFrames::flip(std::uint32_t frame) {
   return result;
 }
 
+const std::vector<std::uint32_t>& ReferenceFrames::ids(std::uint32_t frame) {
+  if (ids_.second.empty() || ids_.first != frame) {
+    render(frame);
+    renderer_->renderIds();
+    ids_ = {frame, renderer_->readIds()};
+  }
+  return ids_.second;
+}
+
 ImageError ReferenceFrames::errorOf(const ImageRgba8& picture, const FlipImage& seen, std::uint32_t frame,
                                     const std::vector<std::uint8_t>& covered) {
   const ImageRgba8& reference = image(frame);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/image_error.h"
@@ -40,6 +41,8 @@ class ReferenceFrames {
   const ImageRgba8& image(std::uint32_t frame);
   /// The same picture, filtered for FLIP.
   const FlipImage& flip(std::uint32_t frame);
+  /// FrameRenderer::readIds() of the same frame, rendered for this call unless it was the last one asked for.
+  const std::vector<std::uint32_t>& ids(std::uint32_t frame);
   /// Error of a picture of the same frame. @param seen     the picture, filtered for FLIP
   /// @param covered  FrameObjects::covered of the picture; empty: not known
   ImageError errorOf(const ImageRgba8& image, const FlipImage& seen, std::uint32_t frame,
@@ -58,6 +61,7 @@ class ReferenceFrames {
   std::unique_ptr<render::FrameRenderer> renderer_;  ///< null until a picture is missing in the cache
   std::map<std::uint32_t, ImageRgba8> images_;
   std::map<std::uint32_t, FlipImage> flips_;
+  std::pair<std::uint32_t, std::vector<std::uint32_t>> ids_;  ///< frame and numbers; empty before the first
 };
 
 }  // namespace jalousie::compare

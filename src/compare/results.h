@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/image_error.h"
+#include "compare/object_figures.h"
 #include "render/frame_statistics.h"
 
 namespace jalousie::compare {
@@ -39,6 +40,9 @@ struct KeptSample {
   /// Mean |FLIP(I_k, I_k-1) - FLIP(R_k, R_k-1)| over the pixels, with I the picture and R the reference: change that
   /// the reference does not have (popping), and change of the reference that the picture does not have.
   double temporal = 0.0;
+  /// Column with half of the error on each side, share of the width: where a reader should look first. Without an error
+  /// that of the pixels that show an object; 0.5 without these.
+  double subject = 0.5;
 };
 
 /// One configuration at one kept frame with one tau of the sweep.
@@ -56,6 +60,7 @@ struct Results {
   std::vector<Sample> samples;
   std::vector<KeptSample> kept;
   std::vector<SweepSample> sweep;
+  std::vector<ObjectsSample> objects;
   bool complete = false;  ///< all steps of the experiment have run
 };
 

@@ -14,6 +14,7 @@
 #include "compare/curves.h"
 #include "compare/spread.h"
 #include "core/check.h"
+#include "scene/scene_names.h"
 
 namespace jalousie::compare {
 namespace {
@@ -181,6 +182,45 @@ std::vector<double> meanHistogram(const std::vector<const Sample*>& samples) {
   return histogram;
 }
 
+/// JSON of a value that may be absent.
+ordered_json orNull(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json objectJson(const ObjectFigures& object, const scene::SceneNames& names) {
+  ordered_json json = {{"object", object.object},
+                       {"name", scene::shownName(names, object.object, object.chain)},
+                       {"mesh", std::string(names.meshName(object.chain).substr(0, scene::kLongestShownName))}};
+  const auto ifDrawn = [&](const auto& value) { return object.drawn ? ordered_json(value) : ordered_json(nullptr); };
+  json["level"] = ifDrawn(object.level);
+  json["tessellation"] = object.tessellation > 0 ? ordered_json(object.tessellation) : ordered_json(nullptr);
+  json["triangles"] = ifDrawn(object.triangles);
+  json["pixels"] = object.pixels;
+  json["error_allowed_px"] = orNull(object.allowed);
+  json["error_px"] = orNull(object.errorPixels);
+  json["flip"] = object.flip;
+  json["finer"] = nullptr;
+  if (object.finer)
+    json["finer"] = {{"triangles", object.finer->triangles}, {"error_px", orNull(object.finer->errorPixels)}};
+  return json;
+}
+
+/// The objects of one configuration; null where they have not been listed.
+ordered_json objectsJson(const Results& results, std::size_t configuration, const Circumstances& circumstances) {
+  const auto found = std::find_if(results.objects.begin(), results.objects.end(),
+                                  [&](const ObjectsSample& s) { return s.configuration == configuration; });
+  if (found == results.objects.end()) return nullptr;
+  const scene::SceneNames none;
+  ordered_json rows = ordered_json::array();
+  for (const ObjectFigures& object : found->rows)
+    rows.push_back(objectJson(object, circumstances.names != nullptr ? *circumstances.names : none));
+  return {{"frame", found->frame},
+          {"count", found->listed},
+          {"flip", found->flip},
+          {"flip_of_background", found->flipOfBackground},
+          {"rows", std::move(rows)}};
+}
+
 ordered_json configurationJson(const Results& results, const Configuration& configuration, std::size_t index,
                                const std::vector<const Sample*>& baseline) {
   const std::vector<const Sample*> samples = samplesOf(results, index);
@@ -206,11 +246,6 @@ ordered_json configurationJson(const Results& results, const Configuration& conf
   json["error"] = errorJson(samples);
   json["popping"] = poppingJson(results, samples, index);
   return json;
-}
-
-/// JSON of a value that may be absent.
-ordered_json orNull(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 ordered_json pointJson(const CurvePoint& point) {
@@ -346,8 +381,10 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
   json["objects"] = results.samples.empty() ? 0 : results.samples.front().statistics.objects;
   const std::vector<const Sample*> baseline = samplesOf(results, plan.baseline);
   json["configurations"] = ordered_json::array();
-  for (std::size_t c = 0; c < configurations.size(); ++c)
+  for (std::size_t c = 0; c < configurations.size(); ++c) {
     json["configurations"].push_back(configurationJson(results, configurations[c], c, baseline));
+    json["configurations"].back()["worst_objects"] = objectsJson(results, c, circumstances);
+  }
   json["sweep"] = sweepJson(results, configurations, plan);
   return json;
 }

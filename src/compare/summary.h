@@ -9,6 +9,10 @@
 #include "compare/plan.h"
 #include "compare/results.h"
 
+namespace jalousie::scene {
+struct SceneNames;
+}
+
 namespace jalousie::compare {
 
 struct Configuration;
@@ -21,7 +25,8 @@ struct Circumstances {
   std::string timing;    ///< "wall" or "gpu"
   std::string command;   ///< repeats the experiment
   std::string version;
-  asset::ContentCounts ignored = {};  ///< what the scene's file holds that is not drawn
+  asset::ContentCounts ignored = {};         ///< what the scene's file holds that is not drawn
+  const scene::SceneNames* names = nullptr;  ///< of the scene; null: objects are named by their numbers
 };
 
 /// The content of summary.json. Keys are stable; docs/compare.md explains them.

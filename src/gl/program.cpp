@@ -13,6 +13,7 @@ GLenum stageOf(std::string_view file) {
   if (extension == "vert") return GL_VERTEX_SHADER;
   if (extension == "tesc") return GL_TESS_CONTROL_SHADER;
   if (extension == "tese") return GL_TESS_EVALUATION_SHADER;
+  if (extension == "geom") return GL_GEOMETRY_SHADER;
   if (extension == "frag") return GL_FRAGMENT_SHADER;
   if (extension == "comp") return GL_COMPUTE_SHADER;
   throw Error(ErrorCode::kShader, fmt::format("shader '{}' has no known stage extension", file));

@@ -35,6 +35,8 @@ constexpr ViewRow kViews[] = {
      .id = View::kGhosts,
      .addsPass = true,
      .help = "culled objects, transparent, over the shaded frame"},
+    {.name = "levels", .id = View::kLevels, .help = "LODs, each level in a colour of its own"},
+    {.name = "density", .id = View::kDensity, .addsPass = true, .help = "heat map of triangles per pixel"},
 };
 static_assert(policy::isInOrder(kViews));
 static_assert(std::size(kViews) == gpu::kViewCount);

@@ -19,6 +19,8 @@ enum class View : gpu::uint {
   kWireframe = gpu::kViewWireframe,
   kOverdraw = gpu::kViewOverdraw,
   kGhosts = gpu::kViewGhosts,
+  kLevels = gpu::kViewLevels,
+  kDensity = gpu::kViewDensity,
 };
 
 /// One row of the table.

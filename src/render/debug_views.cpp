@@ -1,6 +1,8 @@
 // Overdraw is counted by halving a float per surface: exact up to 126, and no program of its own is needed.
 #include "render/debug_views.h"
 
+#include <array>
+
 namespace jalousie::render {
 namespace {
 
@@ -35,6 +37,8 @@ void DebugViews::draw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buf
       return drawLines(frame, pass, buffers);
     case gpu::kViewOverdraw:
       return drawOverdraw(frame, pass, buffers);
+    case gpu::kViewDensity:
+      return drawDensity(frame, pass, buffers);
     case gpu::kViewGhosts:
       return drawGhosts(frame, pass, buffers, lists);
     default:
@@ -69,6 +73,18 @@ void DebugViews::drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuff
   glDisable(GL_BLEND);
   frame.colorTarget->bind(frame.view.viewportWidth, frame.view.viewportHeight);
   pass.drawOverdraw(halvings_->texture);
+}
+
+void DebugViews::drawDensity(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers) {
+  pass.setView(frame.view);
+  frame.target->bind(frame.view.viewportWidth, frame.view.viewportHeight);
+  const std::array<float, 4> black = {0.0F, 0.0F, 0.0F, 1.0F};
+  const float farthest = 0.0F;
+  glClearNamedFramebufferfv(frame.target->id(), GL_COLOR, 0, black.data());
+  glClearNamedFramebufferfv(frame.target->id(), GL_DEPTH, 0, &farthest);
+  glEnable(GL_DEPTH_TEST);
+  drawEverything(DrawKind::kDensity, frame, pass, buffers);
+  glDisable(GL_DEPTH_TEST);
 }
 
 visibility::ObjectBuffers DebugViews::buildGhosts(const DrawnFrame& frame, SceneBuffers& buffers,

@@ -49,6 +49,8 @@ class DebugViews {
   };
   void drawLines(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers);
   void drawOverdraw(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers);
+  /// Draws the frame again, from an empty picture.
+  void drawDensity(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers);
   void drawGhosts(const DrawnFrame& frame, DrawPass& pass, SceneBuffers& buffers, visibility::DrawListPass& lists);
   /// Builds the list of what the frame left out. @return  the buffers for drawing it
   visibility::ObjectBuffers buildGhosts(const DrawnFrame& frame, SceneBuffers& buffers,

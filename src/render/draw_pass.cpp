@@ -6,9 +6,11 @@
 namespace jalousie::render {
 namespace {
 
-std::array<gl::Program, 4> makePrograms(ProgramId first, const DrawFeatures& features,
-                                        const gl::ShaderLibrary& shaders) {
-  std::array<gl::Program, 4> programs;
+/// Consecutive programs of the table.
+template <std::size_t kCount>
+std::array<gl::Program, kCount> makePrograms(ProgramId first, const DrawFeatures& features,
+                                             const gl::ShaderLibrary& shaders) {
+  std::array<gl::Program, kCount> programs;
   for (unsigned i = 0; i < programs.size(); ++i) {
     gl::ProgramSource source = programTable()[static_cast<unsigned>(first) + i];
     if (features.capabilities.drawParameters) source = gl::withDefine(source, kDrawParametersDefine);
@@ -22,9 +24,10 @@ std::array<gl::Program, 4> makePrograms(ProgramId first, const DrawFeatures& fea
 
 DrawPass::DrawPass(const DrawFeatures& features, const gl::ShaderLibrary& shaders)
     : indirectCount_(features.capabilities.indirectCount),
-      shaded_(makePrograms(ProgramId::kShadedSolid, features, shaders)),
-      opacity_(makePrograms(ProgramId::kOpacitySolid, features, shaders)),
-      id_(makePrograms(ProgramId::kIdSolid, features, shaders)),
+      shaded_(makePrograms<4>(ProgramId::kShadedSolid, features, shaders)),
+      opacity_(makePrograms<4>(ProgramId::kOpacitySolid, features, shaders)),
+      id_(makePrograms<4>(ProgramId::kIdSolid, features, shaders)),
+      density_(makePrograms<2>(ProgramId::kDensity, features, shaders)),
       mapView_(programSource(ProgramId::kMapView), shaders),
       depthView_(programSource(ProgramId::kDepthView), shaders),
       overdrawView_(programSource(ProgramId::kOverdrawView), shaders),
@@ -48,14 +51,13 @@ void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const vis
   view_.bindUniform(gpu::kBindingDrawView);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
   glPatchParameteri(GL_PATCH_VERTICES, 3);
-  const Programs& programs = kind == DrawKind::kShaded ? shaded_ : kind == DrawKind::kOpacity ? opacity_ : id_;
   const unsigned paths = patches_ && list.options().patches ? 2 : 1;
   for (unsigned path = 0; path < paths; ++path) {
     const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
     const unsigned firstList = gpu::kListsPerDetail * path;
     const auto drawList = [&](unsigned listIndex, unsigned program, bool cullBackFaces) {
       (cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
-      programs[2 * path + program].use();
+      programOf(kind, path, program).use();
       submit(primitive, list, firstList + listIndex);
     };
     if (part == DrawPart::kOpaque) {
@@ -66,6 +68,12 @@ void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const vis
     }
   }
   glDisable(GL_CULL_FACE);
+}
+
+const gl::Program& DrawPass::programOf(DrawKind kind, unsigned path, unsigned program) const {
+  if (kind == DrawKind::kDensity) return density_[path];
+  const Programs& programs = kind == DrawKind::kShaded ? shaded_ : kind == DrawKind::kOpacity ? opacity_ : id_;
+  return programs[2 * path + program];
 }
 
 void DrawPass::submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const {

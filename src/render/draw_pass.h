@@ -17,7 +17,7 @@
 namespace jalousie::render {
 
 /// What a draw pass writes.
-enum class DrawKind { kShaded, kOpacity, kId };
+enum class DrawKind { kShaded, kOpacity, kId, kDensity };
 
 /// Which surfaces it draws: blended ones come last and never occlude.
 enum class DrawPart { kOpaque, kBlended };
@@ -51,12 +51,15 @@ class DrawPass {
 
  private:
   using Programs = std::array<gl::Program, 4>;  ///< solid, sheet, solid patch, sheet patch
+  /// @param path  0: triangles, 1: patches   @param program  0: solid, 1: sheet
+  const gl::Program& programOf(DrawKind kind, unsigned path, unsigned program) const;
   void submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const;
 
   bool indirectCount_;
   Programs shaded_;
   Programs opacity_;
   Programs id_;
+  std::array<gl::Program, 2> density_;  ///< triangles, patches; for solid surfaces and sheets
   gl::Program mapView_;
   gl::Program depthView_;
   gl::Program overdrawView_;

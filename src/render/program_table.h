@@ -23,6 +23,8 @@ enum class ProgramId : unsigned {
   kIdSheet,
   kIdSolidPatch,
   kIdSheetPatch,
+  kDensity,
+  kDensityPatch,
   kMapView,
   kDepthView,
   kOverdrawView,

@@ -126,6 +126,7 @@ class Builder {
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
     scene_.cameras = file_.cameras;
     scene_.originWorld = file_.originWorld;
+    addNames();
     scene_.ignored = file_.ignored;
     return std::move(scene_);
   }
@@ -330,11 +331,21 @@ class Builder {
       const gpu::Chain& chain = scene_.chains[instance.chain];
       scene_.boundsWorld.add(transformed(instance.worldFromObject,
                                          Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
+      if (std::binary_search(options_.hidden.begin(), options_.hidden.end(), i)) continue;
       const auto transform = static_cast<gpu::uint>(scene_.transforms.size());
       scene_.transforms.push_back(makeTransform(instance.worldFromObject));
       const auto object = static_cast<gpu::uint>(scene_.objects.size());
       scene_.objects.push_back({instance.chain, transform, i, object});
     }
+  }
+
+  void addNames() {
+    scene_.names.nodes = file_.nodeNames;
+    scene_.names.nodeOf.reserve(file_.instances.size());
+    for (const asset::Instance& instance : file_.instances)
+      scene_.names.nodeOf.push_back(instance.node);
+    for (const asset::Chain& chain : file_.chains)
+      scene_.names.meshes.push_back(file_.meshes[chain.levels.front().mesh].name);
   }
 
   /// One chain per cell of each chain, and its objects' cells in the order of the objects.

@@ -9,6 +9,7 @@
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
 #include "scene/cell_options.h"
+#include "scene/scene_names.h"
 #include "scene/texture_layers.h"
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
@@ -47,7 +48,8 @@ struct SceneData : DrawTables {
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
-  glm::dvec3 originWorld{0.0};   ///< as asset::SceneFile
+  glm::dvec3 originWorld{0.0};  ///< as asset::SceneFile
+  SceneNames names;
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
   Aabb boundsWorld;  ///< of all objects
@@ -68,6 +70,9 @@ struct BuildOptions {
   bool patches = false;
   /// Divides chains into cells that are culled one by one. Ignored with patches.
   CellOptions cells = {};
+  /// Instances that the scene does not get, ascending. The others keep their gpu::Object::owner, and the bounds of the
+  /// scene hold all, so that the cameras stay where they are.
+  std::vector<std::uint32_t> hidden = {};
 
   friend bool operator==(const BuildOptions&, const BuildOptions&) = default;
 };

@@ -84,7 +84,8 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   const std::uint64_t vertices = size.vertices + (patches ? size.coarsestVertices : 0);
   const std::uint64_t indices = size.indices + (patches ? size.coarsestIndices : 0);
   MemoryEstimate needs;
-  needs.add(size.instances, sizeof(gpu::Transform) + sizeof(gpu::Object) + sizeof(std::uint32_t) + sizeof(gpu::Tile),
+  needs.add(size.instances,
+            sizeof(gpu::Transform) + sizeof(gpu::Object) + 2 * sizeof(std::uint32_t) + sizeof(gpu::Tile),
             counted(size.instances, "instances"));
   needs.add(vertices, sizeof(Vertex), counted(vertices, "vertices"));
   needs.add(size.secondUvs > 0 ? vertices : 0, sizeof(glm::vec2), counted(vertices, "second texture coordinates"));

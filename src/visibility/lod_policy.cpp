@@ -295,6 +295,15 @@ gpu::ObjectState coarserState(const gpu::CullView& view, const DetailInput& obje
   return state;
 }
 
+float allowedDeviation(const gpu::CullView& view, const DetailInput& object, const gpu::ObjectState& state,
+                       gpu::uint marks) {
+  if (!has(view.traits, gpu::kTraitFollowsError)) return std::numeric_limits<float>::infinity();
+  const Budget budget =
+      budgetOf(view, object, state.lv, (marks & gpu::kMarkRemembered) != 0, (marks & gpu::kMarkCounted) != 0);
+  if (has(view.traits, gpu::kTraitPrice)) return priceOf(view, object, budget, 1.0F).maxError;
+  return budget.tau * budget.masking * budget.relaxed;
+}
+
 void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::ObjectState& state, gpu::uint& marks) {
   const bool followsError = has(view.traits, gpu::kTraitFollowsError);
   const bool followsLv = has(view.traits, gpu::kTraitFollowsLv);

@@ -115,6 +115,12 @@ DetailInput detailInput(const scene::SceneData& scene, const gpu::Chain& chain, 
 /// @param marks  gets kMarkSwitched (only with kMarkKnown) and the frames of the cross-fade
 void chooseDetail(const gpu::CullView& view, const DetailInput& object, gpu::ObjectState& state, gpu::uint& marks);
 
+/// The largest deviation that the view's rule allows the object in the present frame, pixels; infinite where the rule
+/// does not follow the error. A budget of triangles can allow more.
+/// @param state, marks  of the present frame, as chooseDetail left them
+float allowedDeviation(const gpu::CullView& view, const DetailInput& object, const gpu::ObjectState& state,
+                       gpu::uint marks);
+
 /// The state DetailInput::last of the present frame with a level that is at least as coarse: the one that the rule
 /// allows at tau * scale, and with a limit of the largest deviation that is multiplied by scale.
 /// @param marks  of the present frame   @param scale  >= 1

@@ -203,12 +203,50 @@ TEST_F(CompareCommand, TheReportHoldsWhatWasAskedFor) {
   EXPECT_EQ(page.find("/*DATA*/"), std::string::npos);
 }
 
+TEST_F(CompareCommand, ObjectsOfTheWorstFrameAreListed) {
+  ASSERT_EQ(report_.exitCode, 0) << report_.standardError;
+  const json summary = jsonOf(file("report/summary.json"));
+  for (const json& c : summary["configurations"]) {
+    const json& objects = c["worst_objects"];
+    ASSERT_TRUE(objects.is_object()) << c["name"];
+    EXPECT_GT(objects["count"], 0);
+    EXPECT_EQ(objects["rows"].size(), std::min<std::size_t>(objects["count"], 100)) << c["name"];
+    double sum = objects["flip_of_background"];
+    double last = 1e30;
+    for (const json& row : objects["rows"]) {
+      EXPECT_LE(row["flip"], last) << "worst first";
+      last = row["flip"];
+      sum += last;
+      EXPECT_FALSE(row["name"].get<std::string>().empty());
+    }
+    if (objects["count"] <= 100) EXPECT_NEAR(sum, objects["flip"], 1e-6);
+    EXPECT_GE(objects["frame"], 1100);
+    EXPECT_LE(objects["frame"], 1104);
+  }
+  const json& frustum = summary["configurations"][0]["worst_objects"];
+  const json& coarse = summary["configurations"][4]["worst_objects"];
+  EXPECT_GT(coarse["flip"], frustum["flip"]);
+  EXPECT_EQ(coarse["rows"][0]["error_allowed_px"], 6.0) << "--tau 6";
+  EXPECT_LE(coarse["rows"][0]["error_px"], 6.0);
+}
+
+TEST_F(CompareCommand, ObjectsAreCutToTheirNumberOrLeftOut) {
+  const std::vector<std::string> words = {"compare", file("scene.glb"), "--configs", "hiz",      "--frames",
+                                          "1100",    "--size",          "64x36",     "--keep",   "0",
+                                          "--quiet", "--force",         "-o",        file("few")};
+  ASSERT_EQ(jalousie(with(words, {"--objects", "2"})).exitCode, 0);
+  EXPECT_EQ(jsonOf(file("few/summary.json"))["configurations"][0]["worst_objects"]["rows"].size(), 2U);
+  ASSERT_EQ(jalousie(with(words, {"--objects", "0"})).exitCode, 0);
+  EXPECT_TRUE(jsonOf(file("few/summary.json"))["configurations"][0]["worst_objects"].is_null());
+}
+
 TEST_F(CompareCommand, FramesAreTheSameInEveryRunAndHoweverItIsInterrupted) {
   ASSERT_EQ(report_.exitCode, 0) << report_.standardError;
   const json whole = withoutTimes(jsonOf(file("report/summary.json")));
   const std::vector<std::string> log = linesOf(file("report/run.jsonl"));
-  ASSERT_EQ(log.size(), 1U + 5 + 2 + 2 * 3);
-  for (const std::size_t steps : {std::size_t{0}, std::size_t{2}, std::size_t{6}, std::size_t{9}, log.size() - 1}) {
+  ASSERT_EQ(log.size(), 1U + 5 + 5 + 2 + 2 * 3);
+  for (const std::size_t steps :
+       {std::size_t{0}, std::size_t{2}, std::size_t{7}, std::size_t{11}, std::size_t{14}, log.size() - 1}) {
     std::filesystem::remove_all(file("again"));
     std::filesystem::create_directory(file("again"));
     std::ofstream cut(file("again/run.jsonl"));

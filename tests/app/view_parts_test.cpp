@@ -5,21 +5,26 @@
 #include <cmath>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "app/option_values.h"
 #include "app/render_command_line.h"
 #include "app/render_option_table.h"
+#include "app/shown_objects.h"
 #include "app/view/actions.h"
 #include "app/view/command_text.h"
 #include "app/view/file_watch.h"
+#include "app/view/frame_history.h"
 #include "app/view/output_files.h"
 #include "app/view/pose.h"
 #include "app/view/region.h"
 #include "app/view/settings.h"
 #include "app/view/view_options.h"
 #include "core/error.h"
+#include "support/error_code.h"
 #include "support/run_program.h"
+#include "support/scenes.h"
 
 namespace jalousie::app {
 namespace {
@@ -189,7 +194,8 @@ TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
         "--mode hom-depth --occluder-distance 3.25 --occluder-tau 0.1 --view occlusion --map-level 3",
         "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
         "--calm --hysteresis 1.5 --fade 3", "--masking --lod pixel-error",
-        "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes"}) {
+        "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes",
+        "--hide 'a door,3-7' --only 5 --view levels"}) {
     const RenderOptions options = parsed(text);
     const std::string written = methodOptions(options);
     EXPECT_EQ(methodOptions(parsed(written)), written) << text;
@@ -265,6 +271,114 @@ TEST(Settings, BookmarksOfAnotherViewerAreAddedNotReplaced) {
   EXPECT_EQ(settings.bookmarks["/a.glb"][0]->eye, ours.eye);
   EXPECT_EQ(settings.bookmarks["/a.glb"][1]->eye, theirs.eye);
   EXPECT_EQ(settings.bookmarks["/b.glb"][8]->eye, theirs.eye);
+}
+
+TEST(Settings, RecentFilesAreFewAndEachOnce) {
+  const test::TemporaryFolder folder;
+  ViewSettings settings;
+  for (int i = 0; i < 14; ++i)
+    addRecent(settings, "/" + std::to_string(i % 12) + ".glb");
+  ASSERT_EQ(settings.recent.size(), kMostRecent);
+  EXPECT_EQ(settings.recent[0], "/1.glb");
+  EXPECT_EQ(settings.recent[1], "/0.glb");
+  EXPECT_EQ(settings.recent[2], "/11.glb");
+  saveSettings(settings, folder.path());
+  EXPECT_EQ(loadSettings(folder.path()).recent, settings.recent);
+  std::ofstream(folder / "view.json") << R"({"recent": [1, 2], "speed": 3})";
+  EXPECT_TRUE(loadSettings(folder.path()).recent.empty());
+  EXPECT_EQ(loadSettings(folder.path()).speed, 3.0F);
+}
+
+TEST(FrameHistory, CsvHasALinePerFrameAndAColumnPerPass) {
+  FrameHistory history;
+  render::FrameStatistics statistics;
+  statistics.triangles = 1234;
+  history.add(makeSample(1.0, {{"cull", 0.5}, {"draw", 2.0}}, statistics));
+  history.add(makeSample(1.5, {{"cull", 0.25}, {"count", 1.0}, {"draw", 2.0}, {"draw", 1.0}}, statistics));
+  std::istringstream text(history.csv());
+  std::vector<std::vector<std::string>> lines;
+  for (std::string line; std::getline(text, line);)
+    lines.push_back(split(line + ",", ','));
+  ASSERT_EQ(lines.size(), 3U);
+  const auto at = [&](std::size_t line, const std::string& name) {
+    const auto column = std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin();
+    return lines[line].at(static_cast<std::size_t>(column));
+  };
+  EXPECT_EQ(lines[1].size(), lines[0].size());
+  EXPECT_EQ(lines[2].size(), lines[0].size());
+  EXPECT_EQ(at(1, "frame_ms"), "2.5");
+  EXPECT_EQ(at(2, "triangles"), "1234");
+  EXPECT_EQ(at(1, "count ms"), "");
+  EXPECT_EQ(at(2, "count ms"), "1");
+  EXPECT_EQ(at(2, "draw ms"), "3") << "passes of one name add up";
+}
+
+/// Three spheres of two nodes and two meshes.
+asset::SceneFile namedFile() {
+  asset::SceneFile file = test::sphereChain(2);
+  file.meshes[0].name = "ball";
+  file.nodeNames = {"door", "12"};
+  for (const std::uint32_t node : {0U, 1U, 1U})
+    file.instances.push_back({0, glm::mat4(1.0F), node});
+  return file;
+}
+
+std::vector<std::uint32_t> hiddenBy(const std::string& hide, const std::string& only = "") {
+  RenderOptions options;
+  options.hide = hide;
+  options.only = only;
+  return hiddenObjects(namedFile(), options);
+}
+
+TEST(ShownObjects, ListsHoldNamesNumbersAndRanges) {
+  using Objects = std::vector<std::uint32_t>;
+  EXPECT_EQ(hiddenBy(""), Objects{});
+  EXPECT_EQ(hiddenBy("door"), Objects{0});
+  EXPECT_EQ(hiddenBy("ball"), (Objects{0, 1, 2})) << "a mesh stands for all its objects";
+  EXPECT_EQ(hiddenBy("1-2"), (Objects{1, 2}));
+  EXPECT_EQ(hiddenBy("2,door"), (Objects{0, 2}));
+  EXPECT_EQ(hiddenBy("", "1"), (Objects{0, 2}));
+  EXPECT_EQ(hiddenBy("1", "door,1"), (Objects{1, 2})) << "both lists count";
+}
+
+TEST(ShownObjects, WhatIsNoObjectIsRefused) {
+  for (const char* list : {"window", "3", "12", "2-1", "0-3", "0,,1", ",", "1-", "-1", "99999999999999999999"})
+    EXPECT_EQ(test::codeOf([&] { hiddenBy(list); }), ErrorCode::kUsage) << list;
+  EXPECT_EQ(test::codeOf([&] { hiddenBy("", "window"); }), ErrorCode::kUsage);
+}
+
+TEST(ShownObjects, TheShorterListIsWritten) {
+  RenderOptions options;
+  hideObjects(options, {1, 2, 3, 7}, 20);
+  EXPECT_EQ(options.hide, "1-3,7");
+  EXPECT_EQ(options.only, "");
+  std::vector<std::uint32_t> most;
+  for (std::uint32_t i = 0; i < 20; ++i)
+    if (i != 4) most.push_back(i);
+  hideObjects(options, most, 20);
+  EXPECT_EQ(options.hide, "");
+  EXPECT_EQ(options.only, "4");
+  hideObjects(options, {}, 20);
+  EXPECT_EQ(options.hide + options.only, "");
+  hideObjects(options, {0, 1}, 2);
+  EXPECT_EQ(options.hide, "0-1") << "an empty --only would show all";
+}
+
+TEST(ShownObjects, HiddenObjectsAreNotBuilt) {
+  RenderOptions options;
+  options.only = "1";
+  options.cells = {};
+  const asset::SceneFile file = namedFile();
+  const scene::SceneData scene = scene::buildScene(file, buildOptionsOf(file, options));
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].owner, 1U) << "numbers stay those of the file";
+  EXPECT_EQ(scene.objects[0].object, 0U);
+  EXPECT_EQ(scene.names.nodeName(1), "12");
+  options.only = "";
+  options.hide = "ball";
+  const scene::SceneData empty = scene::buildScene(file, buildOptionsOf(file, options));
+  EXPECT_TRUE(empty.objects.empty());
+  EXPECT_FALSE(empty.boundsWorld.empty()) << "the cameras stay where they are";
 }
 
 TEST(OutputFiles, NoFileIsNamedTwice) {

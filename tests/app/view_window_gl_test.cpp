@@ -1,4 +1,5 @@
 // The viewer under pointer and keys: navigation, picking, sizes, paths; its pictures equal those of `jalousie render`.
+#include <algorithm>
 #include <fstream>
 #include <glm/packing.hpp>
 #include <set>
@@ -122,6 +123,91 @@ TEST_F(ViewWindow, ClickSelectsAndExplains) {
   xdotool("mousemove 5 5 click 1");
   settle();
   EXPECT_FALSE(state().selection.has_value()) << "the background selects nothing";
+}
+
+TEST_F(ViewWindow, ObjectsAreHiddenAndIsolatedAsRenderDoes) {
+  const ImageRgba8 whole = viewer_->capture();
+  settle();
+  xdotool("mousemove 320 205 click 1");
+  settle();
+  ASSERT_TRUE(state().selection.has_value());
+  EXPECT_EQ(state().selection->instance, 0U);
+  key("h");
+  EXPECT_FALSE(state().selection.has_value()) << "what is hidden is not selected";
+  EXPECT_NE(viewer_->command(0).find("--hide 0"), std::string::npos) << viewer_->command(0);
+  expectHeadlessEqual("hidden");
+  EXPECT_NE(viewer_->capture().pixels, whole.pixels);
+  settle();
+  xdotool("mousemove 320 205 click 1");
+  settle();
+  ASSERT_TRUE(state().selection.has_value()) << "a sphere behind the hidden one";
+  const std::uint32_t behind = state().selection->instance;
+  EXPECT_NE(behind, 0U);
+  key("i");
+  ASSERT_TRUE(state().selection.has_value()) << "it is found again in the new scene";
+  ASSERT_TRUE(state().inspection.has_value());
+  EXPECT_EQ(state().inspection->instance, behind);
+  EXPECT_NE(viewer_->command(0).find("--only " + std::to_string(behind)), std::string::npos) << viewer_->command(0);
+  expectHeadlessEqual("isolated");
+  key("shift+h");
+  EXPECT_EQ(viewer_->command(0).find("--only"), std::string::npos);
+  EXPECT_EQ(viewer_->command(0).find("--hide"), std::string::npos);
+  EXPECT_EQ(viewer_->capture().pixels, whole.pixels);
+  settle();
+}
+
+TEST_F(ViewWindow, TheListHasEveryObjectWithItsCost) {
+  key("l");
+  ASSERT_EQ(viewer_->objects().objects.size(), 27U);
+  EXPECT_EQ(viewer_->objectRows().order.size(), 27U);
+  EXPECT_EQ(viewer_->objects().objects[viewer_->objectRows().order[0]].instance, 0U) << "the most triangles first";
+  std::uint64_t triangles = 0;
+  for (const app::ListedObject& object : viewer_->objects().objects) {
+    EXPECT_FALSE(object.hidden);
+    EXPECT_EQ(object.drawn, object.triangles > 0);
+    triangles += object.triangles;
+  }
+  const auto& samples = state().history.samples();
+  ASSERT_FALSE(samples.empty());
+  EXPECT_GE(triangles, samples.back().statistics.triangles) << "of whole objects, whose cells can be culled";
+  EXPECT_LE(triangles, samples.back().statistics.trianglesFinest);
+  xdotool("mousemove 320 350 click 1");
+  key("h");
+  const auto hidden = std::count_if(viewer_->objects().objects.begin(), viewer_->objects().objects.end(),
+                                    [](const app::ListedObject& object) { return object.hidden; });
+  EXPECT_LE(hidden, 1);
+  key("l");
+  EXPECT_FALSE(state().settings.objects);
+}
+
+TEST_F(ViewWindow, FramesAreSavedAsCsvAndStepped) {
+  key("ctrl+g");
+  std::ifstream file(folder_ / "jalousie-frames-0001.csv");
+  std::string head;
+  ASSERT_TRUE(std::getline(file, head)) << state().message;
+  EXPECT_TRUE(head.starts_with("seconds,frame_ms,objects,")) << head;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(file, line); ++lines)
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ','));
+  EXPECT_EQ(lines, state().history.samples().size());
+  key("Right");
+  EXPECT_EQ(state().message, "The file has no camera path.");
+  xdotool("key ctrl+r");
+  xdotool("mousemove 300 200 mousedown 1");
+  for (int i = 1; i <= 12; ++i)
+    xdotool("mousemove " + std::to_string(300 + 6 * i) + " 200");
+  xdotool("mouseup 1");
+  xdotool("key ctrl+r");
+  settle();
+  const std::uint32_t frames = viewer_->document(0).pathFrames();
+  ASSERT_GT(frames, 2U);
+  const auto frame = [&] { return viewer_->document(0).camera.frame.value_or(-1.0F); };
+  key("Left");
+  EXPECT_EQ(frame(), 0.0F) << "no frame before the first";
+  key("Right");
+  EXPECT_EQ(frame(), 1.0F);
+  EXPECT_FALSE(viewer_->document(0).camera.pose.has_value());
+  expectHeadlessEqual("the second frame");
 }
 
 TEST_F(ViewWindow, InspectionAgreesWithTheKernel) {

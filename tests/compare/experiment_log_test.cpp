@@ -71,9 +71,41 @@ Sample fullSample(std::uint32_t frame, std::size_t configuration) {
 Results step() {
   Results results;
   results.samples = {fullSample(4, 0), fullSample(4, 1)};
-  results.kept = {{4, 0, 0.1, 1.0 / 3.0, 0.7}, {4, 1, 0.0, 0.0, 0.0}};
+  results.kept = {{4, 0, 0.1, 1.0 / 3.0, 0.7, 0.123}, {4, 1, 0.0, 0.0, 0.0}};
   results.sweep = {{1, 0.3F, 4, 123456789012ULL, 4.2, {40.1, 0.9, 0.05}}, {0, 64.0F, 9, 0, 0.0, {kInfinity, 1.0, 0.0}}};
+  ObjectFigures whole{7, 3, true, 2, 0, 1234567890123ULL, 55, 1.0 / 3.0, 0.1, 12.25, OtherLevel{99, 0.05}};
+  ObjectFigures patches{8, 3, true, 4, 6, 10, 1, {}, {}, 1e-9, OtherLevel{5, {}}};
+  ObjectFigures lost{9, 1, false, 0, 0, 0, 0, {}, {}, 0.5, {}};
+  results.objects = {{4, 1, 300, 20.5, 0.125, {whole, patches, lost}}, {9, 0, 0, 0.0, 0.0, {}}};
   return results;
+}
+
+void expectSame(const ObjectFigures& a, const ObjectFigures& b) {
+  EXPECT_EQ(a.object, b.object);
+  EXPECT_EQ(a.chain, b.chain);
+  EXPECT_EQ(a.drawn, b.drawn);
+  EXPECT_EQ(a.level, b.level);
+  EXPECT_EQ(a.tessellation, b.tessellation);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.pixels, b.pixels);
+  EXPECT_EQ(a.allowed, b.allowed);
+  EXPECT_EQ(a.errorPixels, b.errorPixels);
+  EXPECT_EQ(a.flip, b.flip);
+  ASSERT_EQ(a.finer.has_value(), b.finer.has_value());
+  if (!a.finer) return;
+  EXPECT_EQ(a.finer->triangles, b.finer->triangles);
+  EXPECT_EQ(a.finer->errorPixels, b.finer->errorPixels);
+}
+
+void expectSame(const ObjectsSample& a, const ObjectsSample& b) {
+  EXPECT_EQ(a.frame, b.frame);
+  EXPECT_EQ(a.configuration, b.configuration);
+  EXPECT_EQ(a.listed, b.listed);
+  EXPECT_EQ(a.flip, b.flip);
+  EXPECT_EQ(a.flipOfBackground, b.flipOfBackground);
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  for (std::size_t i = 0; i < a.rows.size(); ++i)
+    expectSame(a.rows[i], b.rows[i]);
 }
 
 void expectSame(const ImageError& a, const ImageError& b) {
@@ -125,7 +157,11 @@ void expectSame(const Results& a, const Results& b) {
     EXPECT_EQ(a.kept[i].frozenMean, b.kept[i].frozenMean);
     EXPECT_EQ(a.kept[i].frozenLargest, b.kept[i].frozenLargest);
     EXPECT_EQ(a.kept[i].temporal, b.kept[i].temporal);
+    EXPECT_EQ(a.kept[i].subject, b.kept[i].subject);
   }
+  ASSERT_EQ(a.objects.size(), b.objects.size());
+  for (std::size_t i = 0; i < a.objects.size(); ++i)
+    expectSame(a.objects[i], b.objects[i]);
   ASSERT_EQ(a.sweep.size(), b.sweep.size());
   for (std::size_t i = 0; i < a.sweep.size(); ++i) {
     EXPECT_EQ(a.sweep[i].configuration, b.sweep[i].configuration);
@@ -281,15 +317,15 @@ TEST_F(ExperimentLog, OfAnotherExperimentIsRefusedAndLeftAlone) {
 TEST_F(ExperimentLog, OfAnotherVersionIsRefused) {
   startLog(folder(), kFingerprint);
   std::string text = textOf(file());
-  const std::size_t at = text.find("\"log\":3");
+  const std::size_t at = text.find("\"log\":4");
   ASSERT_NE(at, std::string::npos);
   writeText(file(), text.replace(at, 7, "\"log\":999"));
   EXPECT_EQ(readingFailsWith(), ErrorCode::kUsage);
 }
 
 TEST_F(ExperimentLog, GarbageIsMalformed) {
-  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 3}\n", "\xFF\xFE\n",
-                           "{\"log\": 3, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
+  for (const char* text : {"\n", "garbage\n", "[]\n", "5\n", "null\n", "{}\n", "{\"log\": 4}\n", "\xFF\xFE\n",
+                           "{\"log\": 4, \"experiment\": \n\"0123456789abcdef\"}\n"}) {
     writeText(file(), text);
     EXPECT_EQ(readingFailsWith(), ErrorCode::kMalformed) << text;
   }

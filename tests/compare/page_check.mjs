@@ -307,6 +307,14 @@ async function pictures(facts) {
       .map((e) => e.decode().then(() => e.naturalWidth)))`);
     expect(widths.every((w) => w > 0), `widths ${widths}`);
   });
+  await check('split on the subject', async () => {
+    const { viewer } = await state();
+    const subject = await run(`const { kept } = JSON.parse(document.getElementById('data').textContent);
+      return kept.find((k) => k.frame === arguments[0]).pictures.find((p) => p.name === arguments[1]).subject;`,
+    viewer.frame, viewer.right);
+    const expected = 100 * Math.min(Math.max(subject, 0.05), 0.95);
+    expect(Math.abs(viewer.split - expected) < 0.51, `${viewer.split} % instead of ${expected} %`);
+  });
   await check('split by keyboard', async () => {
     await focus('.handle');
     const before = (await state()).viewer.split;
@@ -387,6 +395,80 @@ async function pictures(facts) {
   });
 }
 
+async function objects(facts) {
+  if (facts.listed === 0) {
+    await check('no objects, no section', async () =>
+      expect(await run('return document.getElementById("objects").hidden'), 'it is there'));
+    return;
+  }
+  const numbers = () => run(`return [...document.querySelectorAll('#objects tbody tr')].map((row) =>
+    [Number(/no\\. (\\d+)$/.exec(row.querySelector('th small').textContent)[1]), row.cells[1].textContent,
+      Number(row.cells[3].textContent.replaceAll(',', ''))]);`);
+  const order = () => run(`return [...document.querySelectorAll('#objects th[aria-sort]')]
+    .map((e) => e.getAttribute('aria-sort'))`);
+  await check('objects, worst first', async () => {
+    const rows = await numbers();
+    const { shown } = (await state()).objects;
+    expect(rows.length > 0 && rows.length === shown.length, `${rows.length} rows, ${shown.length} shown`);
+    expect(rows.every((row, i) => i === 0 || Number(row[1]) <= Number(rows[i - 1][1])), 'not by error');
+    expect(rows.every((row, i) => row[0] === shown[i]), 'other objects');
+    expect((await order()).filter((o) => o !== 'none').join() === 'descending', `order ${await order()}`);
+  });
+  await check('objects by another column', async () => {
+    const button = '#objects button[data-column="2"]';
+    await click(button);
+    const down = (await numbers()).map((row) => row[2]);
+    expect(down.every((v, i) => i === 0 || v <= down[i - 1]), `pixels ${down.slice(0, 5)}`);
+    await click(button);
+    const up = (await numbers()).map((row) => row[2]);
+    expect(up.every((v, i) => i === 0 || v >= up[i - 1]), `pixels ${up.slice(0, 5)}`);
+    expect(await run('return document.activeElement.dataset.column') === '2', 'the focus is lost');
+    await click('#objects button[data-column="-1"]');
+    expect((await order())[0] === 'ascending', 'names do not start with A');
+    await click('#objects button[data-column="0"]');
+  });
+  await check('search for objects', async () => {
+    const [[number]] = await numbers();
+    const type = (text) => run(`const e = document.getElementById('object-search'); e.value = arguments[0];
+      e.dispatchEvent(new Event('input'));`, text);
+    await type(String(number));
+    expect((await numbers()).some((row) => row[0] === number), 'a number is not found');
+    await type('no such object');
+    expect((await numbers()).length === 0, 'something is found');
+    expect((await texts('#objects figcaption'))[0].includes('0 rows found'), 'it does not say so');
+    await type('');
+    expect((await numbers()).length > 0, 'nothing comes back');
+  });
+  await check('all objects', async () => {
+    const before = (await numbers()).length;
+    const { hidden, count } = await run(`const b = document.querySelector('#objects > .controls:last-child button');
+      return { hidden: b.hidden, count: Number(/\\d[\\d,]*/.exec(b.textContent)?.[0].replaceAll(',', '')) };`);
+    if (hidden) return;
+    await click('#objects > .controls:last-child button');
+    expect((await numbers()).length === count && count > before, `${(await numbers()).length} of ${count}`);
+  });
+}
+
+/// A table that is wider than the window says so, keeps its first column, and scrolls to its last one.
+async function narrowTables() {
+  await check('wide tables at 390', async () => {
+    const look = () => run(`return [...document.querySelectorAll('.scroll')].filter((e) => e.checkVisibility())
+      .filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => ({ shade: getComputedStyle(e.parentElement, '::after')
+        .opacity, hint: e.parentElement.previousElementSibling.checkVisibility()
+          && getComputedStyle(e.parentElement.previousElementSibling).visibility === 'visible', box: e.getBoundingClientRect().left,
+        first: e.querySelector('th[scope=row]').getBoundingClientRect().left }))`);
+    const scroll = (share) => run(`for (const e of document.querySelectorAll('.scroll'))
+      e.scrollLeft = arguments[0] * (e.scrollWidth - e.clientWidth);`, share);
+    expect((await look()).length > 0, 'no table is wider than the window');
+    expect(await eventually(async () => (await look()).every((t) => t.hint && t.shade === '1')), 'nothing says so');
+    await scroll(0.5);
+    expect((await look()).every((t) => Math.abs(t.first - t.box) < 1.5), 'the first column scrolls away');
+    await scroll(1);
+    expect(await eventually(async () => (await look()).every((t) => !t.hint && t.shade === '0')), 'no end is seen');
+    await scroll(0);
+  });
+}
+
 async function wholePage(facts) {
   await check('bars', async () => {
     const bars = await run('return document.querySelectorAll("#passes .bar").length');
@@ -451,17 +533,20 @@ async function main() {
       return { names: s.configurations.map((c) => c.name), options: s.configurations.map((c) => c.options),
         command: s.command, complete: s.complete, frames: frames.length,
         measured: Math.max(0, ...s.configurations.map((c) => c.frames)),
-        kept: d.kept.map((k) => k.frame), sweep: s.sweep?.curves?.length ?? 0, library: Boolean(window.echarts) };`);
+        kept: d.kept.map((k) => k.frame), sweep: s.sweep?.curves?.length ?? 0, library: Boolean(window.echarts),
+        listed: s.configurations.filter((c) => c.worst_objects?.rows.length).length };`);
     await check('no overflow at 1280', noOverflow);
     await shoot('light-1280', WIDE);
     await content(facts);
     await frameChart(facts);
     await sweepChart(facts);
     await pictures(facts);
+    await objects(facts);
     await wholePage(facts);
     await size(NARROW);
     await sleep(200);
     await check('no overflow at 390', noOverflow);
+    await narrowTables();
     if (facts.kept.length > 0) {
       await check('split by pointer at 390', async () => {
         await drag('.stage', [0.9, 0.3], [0.25, 0.3]);

@@ -22,6 +22,7 @@
 #include "compare/summary.h"
 #include "core/error.h"
 #include "core/random.h"
+#include "scene/scene_names.h"
 #include "support/run_program.h"
 
 namespace jalousie::compare {
@@ -78,6 +79,14 @@ class Report {
     }
   }
 
+  /// @param name  of the node that every object belongs to
+  void addObjects(const std::string& name) {
+    names_.nodes = std::vector<std::string>{name};
+    names_.nodeOf = std::vector<std::uint32_t>(3, 0);
+    for (std::size_t c = 0; c < configurations_.size(); ++c)
+      results_.objects.push_back({9, c, 3, 6.0, 1.0, {{0, 0, true, 1, 0, 300, 25, 1.0, 0.5, 5.0, {}}}});
+  }
+
   void addPictures() {
     const std::filesystem::path pictures = folder_ / "pictures";
     std::filesystem::create_directory(pictures);
@@ -89,7 +98,7 @@ class Report {
       for (std::size_t c = 0; c < configurations_.size(); ++c) {
         for (const Picture kind : {Picture::kImage, Picture::kError, Picture::kLod})
           save(configurations_[c].name, kind);
-        results_.kept.push_back({frame, c, 0.01, 0.1, 0.02});
+        results_.kept.push_back({frame, c, 0.01, 0.1, 0.02, 0.25});
       }
     }
   }
@@ -97,8 +106,8 @@ class Report {
   const std::filesystem::path& folder() const { return folder_.path(); }
 
   std::string page(std::uint64_t pictureBytes = kPictureBytes) const {
-    const ordered_json summary =
-        summaryJson(results_, configurations_, plan_, {"park.glb", "", "a driver", "wall", "jalousie", "1.0"});
+    const ordered_json summary = summaryJson(results_, configurations_, plan_,
+                                             {"park.glb", "", "a driver", "wall", "jalousie", "1.0", {}, &names_});
     return makePage(summary, results_, configurations_, folder_.path(), pictureBytes);
   }
 
@@ -107,6 +116,7 @@ class Report {
   Plan plan_;
   std::vector<Configuration> configurations_;
   Results results_;
+  scene::SceneNames names_;
   std::uint64_t seed_ = 0;
 };
 
@@ -187,6 +197,7 @@ TEST(Page, NamesCannotLeaveTheData) {
                                   std::string("]]>\"'&\\u2028")}) {
     Report report({name, "plain"});
     report.addFrames();
+    report.addObjects(name);
     report.addPictures();
     const std::string page = report.page();
     EXPECT_EQ(countOf(page, "</script"), 3U) << name;
@@ -196,6 +207,8 @@ TEST(Page, NamesCannotLeaveTheData) {
     ASSERT_TRUE(data.is_object()) << name;
     EXPECT_EQ(data["series"][0]["name"], name) << "and arrives as it is";
     EXPECT_EQ(data["kept"][0]["pictures"][0]["name"], name);
+    EXPECT_EQ(data["kept"][0]["pictures"][0]["subject"], 0.25);
+    EXPECT_EQ(data["summary"]["configurations"][0]["worst_objects"]["rows"][0]["name"], name);
     EXPECT_NE(page.find(pageScript()), std::string::npos) << name;
   }
 }
@@ -203,6 +216,7 @@ TEST(Page, NamesCannotLeaveTheData) {
 TEST(Page, NamesThatAreNoUtf8StillMakeAPage) {
   Report report({"caf\xE9"});
   report.addFrames();
+  report.addObjects("t\xFCr");
   expectWhole(report.page());
 }
 

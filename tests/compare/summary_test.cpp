@@ -17,6 +17,7 @@
 #include "compare/frames_csv.h"
 #include "compare/spread.h"
 #include "core/random.h"
+#include "scene/scene_names.h"
 
 namespace jalousie::compare {
 namespace {
@@ -318,7 +319,7 @@ TEST(SummaryJson, KeysAreStable) {
   for (const ordered_json& c : summary["configurations"]) {
     EXPECT_EQ(keysOf(c), (Keys{"name", "options", "frames", "triangles", "triangles_total", "triangles_ratio",
                                "frame_ms", "frame_ratio", "passes_ms", "draws", "drawn", "culled_frustum",
-                               "culled_occlusion", "lod_histogram_mean", "lost", "error", "popping"}));
+                               "culled_occlusion", "lod_histogram_mean", "lost", "error", "popping", "worst_objects"}));
     for (const char* spread : {"triangles", "triangles_ratio", "frame_ms", "frame_ratio", "draws", "drawn",
                                "culled_frustum", "culled_occlusion"})
       EXPECT_EQ(keysOf(c[spread]), (Keys{"median", "q1", "q3"})) << spread;
@@ -495,6 +496,41 @@ TEST(SummaryJson, SweepNamesTheFrontAndTheCostAtEqualError) {
   EXPECT_EQ(sweep["flip_at_triangles"]["of"], "one");
   for (const ordered_json& row : sweep["flip_at_triangles"]["rows"])
     EXPECT_EQ(row["flip"]["one"], row["flip"]["two"]);
+}
+
+TEST(SummaryJson, ObjectsAreNamedAndNullWhereNothingIsKnown) {
+  Results results = wholeResults();
+  results.objects = {{9,
+                      1,
+                      40,
+                      8.0,
+                      0.5,
+                      {{2, 0, true, 1, 0, 300, 25, 1.0, 0.5, 6.0, OtherLevel{700, 0.25}},
+                       {0, 0, false, 0, 0, 0, 0, {}, {}, 1.5, {}},
+                       {1, 1, true, 3, 5, 50, 4, {}, {}, 0.0, {}}}}};
+  scene::SceneNames names;
+  names.nodes = {"door", ""};
+  names.nodeOf = {1, 7, 0};
+  names.meshes = {"panel", ""};
+  const ordered_json summary =
+      summaryJson(results, configurationsOf({"one", "two"}), planOf(), {"a", "b", "c", "d", "e", "f", {}, &names});
+  EXPECT_TRUE(summary["configurations"][0]["worst_objects"].is_null());
+  const ordered_json& objects = summary["configurations"][1]["worst_objects"];
+  EXPECT_EQ(objects["frame"], 9);
+  EXPECT_EQ(objects["count"], 40);
+  EXPECT_EQ(objects["flip"], 8.0);
+  EXPECT_EQ(objects["flip_of_background"], 0.5);
+  ASSERT_EQ(objects["rows"].size(), 3U);
+  const ordered_json& door = objects["rows"][0];
+  EXPECT_EQ(door, ordered_json::parse(R"({"object": 2, "name": "door", "mesh": "panel", "level": 1,
+      "tessellation": null, "triangles": 300, "pixels": 25, "error_allowed_px": 1.0, "error_px": 0.5, "flip": 6.0,
+      "finer": {"triangles": 700, "error_px": 0.25}})"));
+  const ordered_json& lost = objects["rows"][1];
+  EXPECT_EQ(lost["name"], "panel") << "a node without a name is known by its mesh";
+  for (const char* key : {"level", "triangles", "error_allowed_px", "error_px", "finer", "tessellation"})
+    EXPECT_TRUE(lost[key].is_null()) << key;
+  EXPECT_EQ(objects["rows"][2]["name"], "object 1");
+  EXPECT_EQ(objects["rows"][2]["tessellation"], 5);
 }
 
 TEST(SummaryJson, InterruptedExperimentSaysWhatItHas) {

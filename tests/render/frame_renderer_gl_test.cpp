@@ -47,7 +47,7 @@ std::size_t distinctColors(const ImageRgba8& image) {
 
 /// Colours that a view has at least: shading makes many, a map or a count of surfaces has few.
 std::size_t leastColors(View view) {
-  return view == View::kOcclusion || view == View::kOverdraw ? 2 : 50;
+  return view == View::kOcclusion || view == View::kOverdraw || view == View::kDensity ? 2 : 50;
 }
 
 /// Triangles the driver generated between begin and end.

@@ -47,6 +47,8 @@ const GoldenView kViews[] = {
     {"wireframe", View::kWireframe, kLines},
     {"overdraw", View::kOverdraw, kFlatColors},
     {"ghosts", View::kGhosts, kShading},
+    {"levels", View::kLevels, kFlatColors},
+    {"density", View::kDensity, kFlatColors},
 };
 
 class ViewsGoldenGl : public test::GlTest, public testing::WithParamInterface<GoldenView> {};

@@ -20,6 +20,35 @@
 namespace jalousie::scene {
 namespace {
 
+TEST(SceneNames, AreThoseOfNodesAndMeshesWhereverTheFileHasThem) {
+  SceneNames names;
+  names.nodes = {"door", "", std::string(300, 'x')};
+  names.nodeOf = {0, 1, 9, 2};
+  names.meshes = {"panel", ""};
+  EXPECT_EQ(names.nodeName(0), "door");
+  EXPECT_EQ(names.nodeName(2), "") << "an index out of range";
+  EXPECT_EQ(names.nodeName(4), "") << "an instance out of range";
+  EXPECT_EQ(names.meshName(7), "");
+  EXPECT_EQ(shownName(names, 0, 0), "door");
+  EXPECT_EQ(shownName(names, 1, 0), "panel");
+  EXPECT_EQ(shownName(names, 1, 1), "object 1");
+  EXPECT_EQ(shownName(names, 3, 0), std::string(kLongestShownName - 3, 'x') + "...");
+}
+
+TEST(SceneNames, AreCutBetweenCharactersAndHaveNoControlCharacters) {
+  SceneNames names;
+  std::string umlauts;
+  for (int i = 0; i < 100; ++i)
+    umlauts += "\xC3\xA4";
+  names.nodes = {umlauts, "a\nb\x1B[0m\x7F", std::string(200, '\x80')};
+  names.nodeOf = {0, 1, 2};
+  const std::string cut = shownName(names, 0, 0);
+  EXPECT_LE(cut.size(), kLongestShownName);
+  EXPECT_EQ(cut.size() % 2, 1U) << "whole characters of two bytes, and three dots";
+  EXPECT_EQ(shownName(names, 1, 0), "a b [0m ");
+  EXPECT_EQ(shownName(names, 2, 0), "...") << "bytes that are no characters";
+}
+
 asset::SceneFile twoMaterials() {
   asset::SceneFile file = test::sphereChain(3);
   file.materials.push_back({});

@@ -60,6 +60,11 @@ constexpr Row kRows[] = {
     {Action::kHelp, [](P& p) { p.state.help = !p.state.help; }},
     {Action::kPanel, [](P& p) { p.state.settings.panel = !p.state.settings.panel; }},
     {Action::kGraph, [](P& p) { p.state.settings.graph = !p.state.settings.graph; }},
+    {Action::kObjects,
+     [](P& p) {
+       p.state.settings.objects = !p.state.settings.objects;
+       p.redraw.inspectionOutdated();
+     }},
     {Action::kReset, [](P& p) { p.documents.resetCameras(); }},
     {Action::kFrame, [](P& p) { p.cameras.frame(); }},
     {Action::kFreeze, [](P& p) { p.cameras.freezeOrThaw(); }},
@@ -73,10 +78,16 @@ constexpr Row kRows[] = {
     {Action::kMapFiner,
      [](P& p) { changeFrameOptions(p, [](auto& o) { o.mapLevel = std::max(o.mapLevel, 1U) - 1; }); }},
     {Action::kBoxes, [](P& p) { changeFrameOptions(p, [](auto& o) { o.boxes = !o.boxes; }); }},
+    {Action::kHide, [](P& p) { p.objects.hideSelected(); }},
+    {Action::kIsolate, [](P& p) { p.objects.isolateSelected(); }},
+    {Action::kShowAll, [](P& p) { p.objects.showAll(); }},
     {Action::kPlay, [](P& p) { p.player.toggle(); }},
     {Action::kRecord, [](P& p) { p.recorder.toggle(); }},
     {Action::kScreenshot, screenshot},
     {Action::kScreenshotInterface, [](P& p) { p.outputs.requestWindowScreenshot(); }},
+    {Action::kSaveFrames, [](P& p) { p.outputs.saveFrames(); }},
+    {Action::kNextFrame, [](P& p) { p.player.move(1); }},
+    {Action::kPreviousFrame, [](P& p) { p.player.move(-1); }},
     {Action::kCopyCommand, [](P& p) { p.outputs.copyCommand(); }},
     {Action::kDeselect, [](P& p) { p.selection.clear(); }},
     {Action::kClose, close},

@@ -8,6 +8,18 @@
 #include <system_error>
 
 namespace jalousie::app {
+namespace {
+
+/// Width around the middle of a region that no panel covers, because the target stays in the middle. At least a third:
+/// a panel that covers more is taken for closed soon.
+float freeWidth(const Region& where, const ViewState& state) {
+  const float middle = where.x + 0.5F * where.width;
+  const float right = where.x + where.width - state.coveredRight;
+  const float half = std::min(middle - std::max(where.x, state.freeLeft), right - middle);
+  return std::max({2.0F * std::min(half, 0.5F * where.width), where.width / 3.0F, 1.0F});
+}
+
+}  // namespace
 
 Cameras::Cameras(ViewState& state, Documents& documents, Redraw& redraw, Messages& messages)
     : state_(state), documents_(documents), redraw_(redraw), messages_(messages) {}
@@ -35,7 +47,7 @@ void Cameras::frame() {
   const Region where = documents_.region(state_.current);
   const Aabb box = state_.inspection ? state_.inspection->boundsWorld : document->boundsWorld();
   const float fovY = documents_.drawCamera(state_.current).fovY;
-  move(framed(pose(), box, fovY, std::max(where.width, 1.0F) / where.height));
+  move(framed(pose(), box, fovY, freeWidth(where, state_) / where.height));
 }
 
 void Cameras::freezeOrThaw() {

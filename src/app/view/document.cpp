@@ -13,6 +13,7 @@
 #include "app/path_camera.h"
 #include "app/render_cameras.h"
 #include "app/render_option_table.h"
+#include "app/shown_objects.h"
 #include "app/warnings.h"
 #include "asset/image_io.h"
 #include "core/error.h"
@@ -23,10 +24,11 @@ namespace {
 
 /// The options that a renderer is made for, apart from its size. Renderers with equal texts are interchangeable.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}|{}", valueText(renderOption("--cells"), options),
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", valueText(renderOption("--cells"), options),
                      rowOf(options.frameOptions.detail).patches,
                      static_cast<unsigned>(options.rendererOptions.submission), options.coreOnly,
-                     options.rendererOptions.capacity.value_or(0), options.importance.string());
+                     options.rendererOptions.capacity.value_or(0), options.importance.string(), options.hide,
+                     options.only);
 }
 
 /// Runs a task; its failure becomes a value. @param file  named in a failure that is about a limit
@@ -44,7 +46,7 @@ std::optional<Error> failureOf(const std::function<void()>& task, const std::fil
 }  // namespace
 
 Side::Side(const asset::SceneFile& file, const RenderOptions& options, const MemoryLimit& memory)
-    : scene_(scene::buildScene(file, {.patches = rowOf(options.frameOptions.detail).patches, .cells = options.cells})),
+    : scene_(scene::buildScene(file, buildOptionsOf(file, options))),
       rendererOptions_(options.rendererOptions),
       madeFor_(keyOf(options)) {
   if (!options.importance.empty()) importance_.emplace(asset::loadImage(options.importance));

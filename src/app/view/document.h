@@ -101,6 +101,8 @@ class Document {
   Aabb boundsWorld() const { return boundsWorld_; }
   /// Point of the file's world that boxes and cameras are relative to; poses are not.
   glm::dvec3 originWorld() const { return scene_ ? scene_->originWorld : glm::dvec3(0.0); }
+  /// The file as it was read; null before, and while it cannot be read.
+  const asset::SceneFile* sceneFile() const { return scene_ ? &*scene_ : nullptr; }
   /// Frames of the first camera path; 0 if there is none.
   std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/view/actions.h"
 #include "app/view/drawing.h"
 #include "shared/palette.h"
 
@@ -86,25 +87,6 @@ ImU32 passColor(std::size_t pass) {
   return kColors[pass % kColors.size()];
 }
 
-double passMs(const FrameSample& sample, const std::string& name) {
-  for (const auto& [pass, ms] : sample.passes)
-    if (pass == name) return ms;
-  return 0.0;
-}
-
-/// Names of all passes of the history, in frame order; a pass that only some frames have follows its predecessor.
-std::vector<std::string> passNames(const FrameHistory& history) {
-  std::vector<std::string> names;
-  for (const FrameSample& sample : history.samples()) {
-    auto at = names.begin();
-    for (const auto& [name, ms] : sample.passes) {
-      const auto known = std::find(names.begin(), names.end(), name);
-      at = (known != names.end() ? known : names.insert(at, name)) + 1;
-    }
-  }
-  return names;
-}
-
 void drawPasses(const FrameHistory& history, const std::vector<std::string>& names) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = names.size(); i-- > 0;) {  // the topmost layer first, as in the plot
@@ -112,14 +94,15 @@ void drawPasses(const FrameHistory& history, const std::vector<std::string>& nam
     list.AddRectFilled({at.x, at.y + 0.15F * unit()}, {at.x + 0.8F * unit(), at.y + 0.95F * unit()}, passColor(i));
     ImGui::Dummy({0.8F * unit(), unit()});
     ImGui::SameLine();
-    ImGui::Text("%7.2f ms  %s", passMs(history.samples().back(), names[i]), names[i].c_str());
+    ImGui::Text("%7.2f ms  %s", passMs(history.samples().back(), names[i]).value_or(0.0), names[i].c_str());
   }
 }
 
 void plotPasses(const FrameHistory& history, const std::vector<std::string>& names) {
   std::vector<Layer> layers;
   for (std::size_t i = 0; i < names.size(); ++i)
-    layers.push_back({passColor(i), [&name = names[i]](const FrameSample& f) { return passMs(f, name); }});
+    layers.push_back(
+        {passColor(i), [&name = names[i]](const FrameSample& f) { return passMs(f, name).value_or(0.0); }});
   drawPlot(history, fmt::format("frame: {:.2f} ms", history.samples().back().frameMs), layers, 5.5F * unit());
 }
 
@@ -147,21 +130,26 @@ void plotObjects(const FrameHistory& history) {
 
 }  // namespace
 
-void drawFrameGraph(const FrameHistory& history) {
+bool drawFrameGraph(const FrameHistory& history) {
+  bool saves = false;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({24.4F * unit(), display.y - 0.6F * unit()}, ImGuiCond_FirstUseEver, {0.0F, 1.0F});
   ImGui::SetNextWindowSize({24.0F * unit(), std::min(34.0F * unit(), display.y - 1.2F * unit())},
                            ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Frames") && !history.samples().empty()) {
-    const std::vector<std::string> names = passNames(history);
+    const std::vector<std::string> names = history.passNames();
     ImGui::TextDisabled("%zu frames in the last %.1f s", history.samples().size(),
                         history.samples().back().seconds - history.samples().front().seconds);
+    ImGui::SameLine();
+    saves = ImGui::SmallButton("CSV");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", helpText(Action::kSaveFrames).c_str());
     plotPasses(history, names);
     plotTriangles(history);
     plotObjects(history);
     drawPasses(history, names);
   }
   ImGui::End();
+  return saves;
 }
 
 }  // namespace jalousie::app

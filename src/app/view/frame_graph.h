@@ -6,6 +6,7 @@
 namespace jalousie::app {
 
 /// Draws time per pass, triangles, and drawn and culled objects over the last seconds.
-void drawFrameGraph(const FrameHistory& history);
+/// @return  whether the user wants the frames as a file
+bool drawFrameGraph(const FrameHistory& history);
 
 }  // namespace jalousie::app

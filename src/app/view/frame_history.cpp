@@ -1,9 +1,13 @@
 // The history as a queue of samples, and its JSON.
 #include "app/view/frame_history.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/render_report.h"
+#include "compare/statistics_table.h"
 
 namespace jalousie::app {
 
@@ -30,6 +34,46 @@ std::string FrameHistory::json(const std::string& renderer, bool gpuTiming, cons
     root["frames"].push_back(std::move(frame));
   }
   return root.dump(2) + "\n";
+}
+
+std::vector<std::string> FrameHistory::passNames() const {
+  std::vector<std::string> names;
+  for (const FrameSample& sample : samples_) {
+    auto at = names.begin();
+    for (const auto& [name, ms] : sample.passes) {
+      const auto known = std::find(names.begin(), names.end(), name);
+      at = (known != names.end() ? known : names.insert(at, name)) + 1;
+    }
+  }
+  return names;
+}
+
+std::optional<double> passMs(const FrameSample& sample, const std::string& name) {
+  std::optional<double> sum;
+  for (const auto& [pass, ms] : sample.passes)
+    if (pass == name) sum = sum.value_or(0.0) + ms;
+  return sum;
+}
+
+std::string FrameHistory::csv() const {
+  const std::vector<std::string> passes = passNames();
+  std::string text = "seconds,frame_ms";
+  for (const compare::StatisticsField& field : compare::kStatisticsFields)
+    text += fmt::format(",{}", field.key);
+  for (const std::string& name : passes)
+    text += fmt::format(",{} ms", name);
+  text += "\n";
+  for (const FrameSample& sample : samples_) {
+    text += fmt::format("{:.6f},{}", sample.seconds, sample.frameMs);
+    for (const compare::StatisticsField& field : compare::kStatisticsFields)
+      text += fmt::format(",{}", sample.statistics.*field.value);
+    for (const std::string& name : passes) {
+      const std::optional<double> ms = passMs(sample, name);
+      text += ms ? fmt::format(",{}", *ms) : std::string(",");
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 FrameSample makeSample(double seconds, const std::vector<PassTime>& passes, const render::FrameStatistics& statistics) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ class FrameHistory {
   void clear() { samples_.clear(); }
   const std::deque<FrameSample>& samples() const { return samples_; }
 
+  /// Names of all passes, in frame order; a pass that only some frames have follows its predecessor.
+  std::vector<std::string> passNames() const;
+  /// One line per frame, oldest first: seconds, frame_ms, the counts of `jalousie render --json`, and a column per
+  /// pass, ms, empty where the frame does not have it.
+  std::string csv() const;
   /// {"renderer", "timing", "ignored", "frames": [{"seconds", "frame_ms", "passes", and the counts of
   /// `jalousie render --json`}]}
   /// @param ignored  what the document holds that is not drawn
@@ -37,6 +43,9 @@ class FrameHistory {
  private:
   std::deque<FrameSample> samples_;
 };
+
+/// Milliseconds of a pass; absent where the frame does not have it. Passes of one name add up.
+std::optional<double> passMs(const FrameSample& sample, const std::string& name);
 
 /// Sample of a frame. @param passes  times of the passes, in frame order
 FrameSample makeSample(double seconds, const std::vector<PassTime>& passes, const render::FrameStatistics& statistics);

@@ -195,6 +195,8 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
   Inspection result;
   result.object = object;
   result.instance = scene.objects[object].owner;
+  result.name = scene::shownName(scene.names, result.instance, scene.objects[object].chain);
+  result.mesh = scene.names.meshName(scene.objects[object].chain).substr(0, scene::kLongestShownName);
   result.chain = fmt::format("{}", scene.objects[object].chain);
   result.boundsWorld = transformed(scene::worldFromObject(scene.transforms[scene.objects[object].transform]),
                                    {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});

@@ -34,6 +34,8 @@ struct InspectedBlock {
 struct Inspection {
   std::uint32_t object = 0;    ///< index into SceneData::objects
   std::uint32_t instance = 0;  ///< index of the instance in the file
+  std::string name;            ///< scene::shownName()
+  std::string mesh;            ///< name of LOD 0; empty where it has none
   std::string chain;           ///< number of the chain
   Aabb boundsWorld;
   render::ObjectReadout readout;

@@ -56,7 +56,8 @@ void drawFacts(const Inspection& i, const RenderOptions& options) {
   if (!ImGui::BeginTable("facts", 2)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  row("object", fmt::format("{} of the file, chain {}", i.instance, i.chain));
+  row("object", i.mesh.empty() || i.mesh == i.name ? i.name : fmt::format("{} (mesh {})", i.name, i.mesh));
+  row("number", fmt::format("{} of the file, chain {}", i.instance, i.chain));
   row("verdict", i.verdict);
   row("AABR", rectText(i));
   row("LV", fmt::format("{:.4f} ({})", i.readout.state.lv, rowOf(options.frameOptions.lvMeasure).name));
@@ -194,12 +195,15 @@ void drawLevels(const Inspection& i) {
 
 }  // namespace
 
-void drawInspection(const Inspection& inspection, const RenderOptions& options) {
+float drawInspection(const Inspection& inspection, const RenderOptions& options) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x - 0.6F * unit(), 0.6F * unit()}, ImGuiCond_FirstUseEver, {1.0F, 0.0F});
   ImGui::SetNextWindowSize({29.0F * unit(), std::min(53.0F * unit(), display.y - 1.2F * unit())},
                            ImGuiCond_FirstUseEver);
+  float covered = 0.0F;
   if (ImGui::Begin("Object")) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
+    if (right > display.x - 2.0F * unit()) covered = display.x - ImGui::GetWindowPos().x;
     drawFacts(inspection, options);
     ImGui::Separator();
     drawBlockSection(inspection, options);
@@ -207,6 +211,7 @@ void drawInspection(const Inspection& inspection, const RenderOptions& options) 
     drawLevels(inspection);
   }
   ImGui::End();
+  return covered;
 }
 
 }  // namespace jalousie::app

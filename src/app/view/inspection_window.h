@@ -8,6 +8,7 @@ namespace jalousie::app {
 
 /// Draws what was found out about an object: verdict, AABR, LV and budget, its block and spectrum, its LODs.
 /// @param options  of the inspected picture
-void drawInspection(const Inspection& inspection, const RenderOptions& options);
+/// @return  width of the window in pixels if it is at the right edge, else 0
+float drawInspection(const Inspection& inspection, const RenderOptions& options);
 
 }  // namespace jalousie::app

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -114,6 +115,38 @@ void drawLevelLegend(const Region& region, const char* title, bool hasOccluders)
   drawSwatches(region, title, swatches);
 }
 
+/// The colour of a level: levelColor() of shaders/lib/palette.glsl.
+ImU32 levelColor(std::uint32_t level) {
+  static constexpr std::array kColors = {&gpu::kColorLevel0, &gpu::kColorLevel1,  &gpu::kColorLevel2,
+                                         &gpu::kColorLevel3, &gpu::kColorLevel4,  &gpu::kColorLevel5,
+                                         &gpu::kColorLevel6, &gpu::kColorLevel7,  &gpu::kColorLevel8,
+                                         &gpu::kColorLevel9, &gpu::kColorLevel10, &gpu::kColorLevel11};
+  static_assert(kColors.size() == gpu::kLevelColors);
+  return srgb(glm::vec3(*kColors[level % kColors.size()]));
+}
+
+/// One swatch per colour; a colour that stands for several levels names them all.
+void drawLevels(const Region& region, std::uint32_t levelCount) {
+  std::vector<std::string> texts(std::min(levelCount, gpu::kLevelColors));
+  for (std::uint32_t level = 0; level < levelCount; ++level)
+    texts[level % texts.size()] += fmt::format("{}{}", texts[level % texts.size()].empty() ? "" : ", ", level);
+  std::vector<Swatch> swatches;
+  for (std::uint32_t i = 0; i < texts.size(); ++i)
+    swatches.push_back({levelColor(i), texts[i].c_str()});
+  drawSwatches(region, "level, 0: finest", swatches);
+}
+
+/// Ticks at every fourth power of two of the scale of the density view.
+std::vector<Tick> densityTicks() {
+  const float range = std::log2(gpu::kMostDensity / gpu::kLeastDensity);
+  std::vector<Tick> ticks;
+  for (float density = gpu::kLeastDensity; density <= gpu::kMostDensity; density *= 4.0F)
+    ticks.push_back({std::log2(density / gpu::kLeastDensity) / range,
+                     density < 1.0F ? fmt::format("1/{:g}", 1.0F / density)
+                                    : fmt::format("{:g}{}", density, density >= gpu::kMostDensity ? "+" : "")});
+  return ticks;
+}
+
 void drawPhaseLegend(const Region& region) {
   drawSwatches(region, "drawn in",
                {swatch(gpu::kColorPhase1, "phase 1"), swatch(gpu::kColorPhase2, "phase 2"),
@@ -134,7 +167,7 @@ void drawCoverLegend(const Region& region, bool showsMap) {
 
 }  // namespace
 
-void drawLegend(const Region& region, const RenderOptions& options) {
+void drawLegend(const Region& region, const RenderOptions& options, std::uint32_t levelCount) {
   const FramePolicy& policy = options.frameOptions;
   const bool usesMap = rowOf(policy.cullMode).usesMap;
   switch (policy.view) {
@@ -142,6 +175,10 @@ void drawLegend(const Region& region, const RenderOptions& options) {
       return;
     case View::kLod:
       return drawLevelLegend(region, "level", usesMap);
+    case View::kLevels:
+      return drawLevels(region, levelCount);
+    case View::kDensity:
+      return drawScale(region, "triangles per pixel; black: none", densityTicks());
     case View::kWireframe:
       return drawLevelLegend(region, "triangles by level", usesMap);
     case View::kLv:

@@ -21,6 +21,13 @@ std::optional<std::uint32_t> objectAt(render::FrameRenderer& renderer, const glm
   return id > 0 ? std::optional(id - 1) : std::nullopt;
 }
 
+/// Index of the object of an instance, nothing where it is hidden.
+std::optional<std::uint32_t> objectOf(const scene::SceneData& scene, std::uint32_t instance) {
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].owner == instance) return i;
+  return std::nullopt;
+}
+
 }  // namespace
 
 ObjectSelection::ObjectSelection(ViewState& state, Documents& documents, Redraw& redraw, Messages& messages)
@@ -37,16 +44,15 @@ void ObjectSelection::pick(const glm::vec2& at) {
   Side* picked = documents_[*document].side(side);
   if (picked == nullptr) return;
   if (const auto object = objectAt(picked->renderer(), at - glm::vec2(where.x, where.y)))
-    state_.selection = Selection{*document, side, *object};
+    state_.selection = Selection{*document, side, *object, picked->scene().objects[*object].owner};
 }
 
 void ObjectSelection::select(std::size_t document, std::uint32_t instance) {
   Side* made = documents_[document].prepare(0, documents_.optionsFor(document, 0));
   if (made == nullptr) return;
-  const std::vector<gpu::Object>& objects = made->scene().objects;
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-    if (objects[i].owner == instance) state_.selection = Selection{document, 0, i};
-  if (!state_.selection)
+  if (const auto object = objectOf(made->scene(), instance))
+    state_.selection = Selection{document, 0, *object, instance};
+  else
     messages_.fail({ErrorCode::kUsage, fmt::format("--select {}: there is no such object", instance),
                     documents_[document].file()});
   redraw_.scenesChanged();
@@ -65,9 +71,12 @@ void ObjectSelection::inspect() {
   redraw_.inspectionDone();
   state_.inspection.reset();
   if (!state_.selection || state_.selection->document >= documents_.size()) return;
-  const Selection& selected = *state_.selection;
+  Selection& selected = *state_.selection;
   Side* side = documents_[selected.document].side(selected.side);
-  if (side == nullptr || selected.object >= side->scene().objects.size()) return;
+  if (side == nullptr) return;
+  const std::optional<std::uint32_t> object = objectOf(side->scene(), selected.instance);
+  if (!object) return clear();
+  selected.object = *object;
   const RenderOptions options = documents_.optionsFor(selected.document, selected.side);
   const std::optional<RenderCameras> cameras = documents_.camerasFor(selected.document, selected.side);
   if (!cameras) return;

@@ -60,6 +60,14 @@ void Outputs::saveFigures() {
   });
 }
 
+void Outputs::saveFrames() {
+  messages_.attempt([&] {
+    const std::filesystem::path file = freshOutput(state_.outputs, "jalousie-frames", ".csv");
+    writeText(file, state_.history.csv());
+    messages_.say("Wrote " + file.string());
+  });
+}
+
 void Outputs::writeFigures(const std::filesystem::path& file) const {
   const gl::Capabilities& capabilities = window_.capabilities();
   Document* document = documents_.current();

@@ -36,6 +36,8 @@ class Outputs {
 
   /// Writes the history of frames as JSON to the file of --json, else to a new file.
   void saveFigures();
+  /// Writes the history of frames as CSV to a new file.
+  void saveFrames();
   /// @param file  "-": standard output   Errors: kWriteFailed
   void writeFigures(const std::filesystem::path& file) const;
 

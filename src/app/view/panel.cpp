@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "app/view/drawing.h"
 #include "core/overloaded.h"
@@ -25,8 +24,9 @@ void tooltip(const std::string& text) {
 }
 
 bool editText(const char* label, std::filesystem::path& path) {
-  std::array<char, 1024> text{};
-  std::snprintf(text.data(), text.size(), "%s", path.c_str());
+  // Longer than what is there, so that a long list is not cut off.
+  std::vector<char> text(path.native().size() + 4096);
+  path.native().copy(text.data(), path.native().size());
   // A value is taken on Enter only, because the text is no file name while it is typed.
   if (!ImGui::InputText(label, text.data(), text.size(), ImGuiInputTextFlags_EnterReturnsTrue)) return false;
   path = text.data();
@@ -119,6 +119,12 @@ bool editValue(const RenderOption& option, RenderOptions& options) {
                              [&](std::uint32_t& value) { return editCount(label.c_str(), value, v.least, v.most); });
           },
           [&](const FlagValue& v) { return ImGui::Checkbox(label.c_str(), &v.of(options)); },
+          [&](const TextValue& v) {
+            std::filesystem::path text = v.of(options);
+            const bool changed = editText(label.c_str(), text);
+            if (changed) v.of(options) = text.string();
+            return changed;
+          },
           [&](const FileValue& v) { return editText(label.c_str(), v.of(options)); },
       },
       option.value);
@@ -250,6 +256,22 @@ void drawOutput(ViewState& state, const PanelFacts& facts, PanelResult& result) 
   ImGui::PopTextWrapPos();
 }
 
+/// A button with a menu: a field for a path, and the files opened last.
+void drawOpen(const ViewState& state, PanelResult& result) {
+  if (ImGui::Button("Open...")) ImGui::OpenPopup("open");
+  tooltip("Open a glTF or GLB file, or a folder of them, beside the others");
+  if (!ImGui::BeginPopup("open")) return;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  std::filesystem::path typed;
+  ImGui::SetNextItemWidth(26.0F * unit());
+  if (editText("path", typed) && !typed.empty()) result.open = typed;
+  if (!state.settings.recent.empty()) ImGui::TextDisabled("recent");
+  for (const std::string& file : state.settings.recent)
+    if (ImGui::Selectable(file.c_str())) result.open = file;
+  if (!result.open.empty()) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
 void drawDocuments(ViewState& state, const PanelFacts& facts) {
   if (facts.documents.size() < 2) {
     ImGui::TextUnformatted(facts.documents.empty() ? "No file: drop one here" : facts.documents.front().c_str());
@@ -285,8 +307,11 @@ void drawPanel(ViewState& state, Document* document, const PanelFacts& facts, Pa
   ImGui::SetNextWindowPos({0.6F * unit(), 0.6F * unit()}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({23.0F * unit(), display.y - 1.2F * unit()}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("jalousie", &state.settings.panel)) {
+    const bool atTheEdge = ImGui::GetWindowPos().x < 2.0F * unit();
+    state.freeLeft = atTheEdge ? ImGui::GetWindowPos().x + ImGui::GetWindowWidth() : 0.0F;
     ImGui::PushItemWidth(11.5F * unit());
     drawDocuments(state, facts);
+    drawOpen(state, result);
     drawConfigurations(state, result);
     drawLayout(state, result);
     drawCamera(state, document, result);

@@ -1,6 +1,7 @@
 // The panel: every option of the picture, and the tools of the viewer.
 #pragma once
 
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -8,6 +9,8 @@
 
 #include "app/render_option_table.h"
 #include "app/view/actions.h"
+#include "app/view/object_window.h"
+#include "app/view/path_window.h"
 #include "app/view/view_state.h"
 
 namespace jalousie::app {
@@ -20,6 +23,9 @@ struct PanelResult {
   std::vector<Action> actions;         ///< buttons that were pressed
   std::optional<glm::uvec2> resize;    ///< new window size in pixels
   bool saveFigures = false;            ///< write the history of frames
+  std::filesystem::path open;          ///< a file or folder to open; empty: none
+  PathWindowResult path;               ///< of the frame slider
+  ObjectWindowResult objects;          ///< of the list of objects
 };
 
 /// What the panel shows and the state does not hold.

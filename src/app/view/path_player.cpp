@@ -1,6 +1,7 @@
 // Plays camera paths: in real time for people, frame by frame for scripts.
 #include "app/view/path_player.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -36,6 +37,23 @@ void PathPlayer::toggle() {
   state_.playing = !state_.playing;
   pathSeconds_ = static_cast<double>(document->camera.frame.value_or(0.0F)) / kPathRate;
   redraw_.scenesChanged();
+}
+
+void PathPlayer::goTo(double frame) {
+  const Document* document = documents_.current();
+  if (document == nullptr || document->pathFrames() == 0) return;
+  state_.playing = false;
+  const double last = document->pathFrames() - 1;
+  for (const std::size_t i : documents_.followers(state_.current))
+    show(i, std::clamp(std::round(frame), 0.0, last));
+  redraw_.scenesChanged();
+}
+
+void PathPlayer::move(int frames) {
+  const Document* document = documents_.current();
+  if (document == nullptr) return;
+  if (document->pathFrames() == 0) return messages_.say("The file has no camera path.");
+  goTo(static_cast<double>(document->camera.frame.value_or(0.0F)) + frames);
 }
 
 void PathPlayer::step(double seconds, std::uint32_t framesDone) {

@@ -19,6 +19,11 @@ class PathPlayer {
 
   /// Plays from the current frame, or pauses. Says so where the current document has no path.
   void toggle();
+  /// Pauses, and shows a frame of the path to the current document and its followers.
+  /// @param frame  beyond the path: its first or last one
+  void goTo(double frame);
+  /// Goes some frames on, back where negative. Says so where the current document has no path.
+  void move(int frames);
   /// Advances the current document and its followers, in a script all documents. Fails with a message if no document
   /// has a path. @param seconds  since the last call   @param framesDone  frames of the viewer so far
   void step(double seconds, std::uint32_t framesDone);

@@ -1,6 +1,7 @@
 // All overlays of one document's picture.
 #include "app/view/picture_overlays.h"
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <string>
 
@@ -28,13 +29,26 @@ float reachOf(const scene::Camera& camera, const Aabb& sceneWorld) {
   return glm::length(camera.positionWorld() - sceneWorld.center()) + 0.5F * sceneWorld.diagonal();
 }
 
+/// Levels that a picture can have: those of the longest chain, or of patches.
+std::uint32_t levelCount(Document& document, int side, const RenderOptions& options) {
+  if (rowOf(options.frameOptions.detail).patches) return options.frameOptions.maxTessellation;
+  std::uint32_t most = 1;
+  if (Side* shown = document.side(side); shown != nullptr)
+    for (const gpu::Chain& chain : shown->scene().chains)
+      most = std::max(most, chain.lodCount);
+  return most;
+}
+
 /// Legends of the shown configurations, and the divider between them.
-void drawLegends(const Documents& documents, std::size_t index, const ViewState& state, float scale) {
+void drawLegends(Documents& documents, std::size_t index, const ViewState& state, float scale) {
   const Region where = documents.region(index);
-  const RenderOptions first = documents.optionsFor(index, state.firstSide());
-  if (!state.showsDivider()) return drawLegend(where, first);
-  drawLegend(where.leftOf(state.divider), first);
-  drawLegend(where.rightOf(state.divider), documents.optionsFor(index, 1));
+  const auto draw = [&](const Region& region, int side) {
+    const RenderOptions options = documents.optionsFor(index, side);
+    drawLegend(region, options, levelCount(documents[index], side, options));
+  };
+  if (!state.showsDivider()) return draw(where, state.firstSide());
+  draw(where.leftOf(state.divider), state.firstSide());
+  draw(where.rightOf(state.divider), 1);
   drawDivider(where.rightOf(state.divider), scale);
 }
 

@@ -55,11 +55,14 @@ void takeBookmark(const std::string& number, const nlohmann::json& pose, Bookmar
 void read(const nlohmann::json& root, ViewSettings& settings) {
   take(root, "panel", settings.panel);
   take(root, "graph", settings.graph);
+  take(root, "objects", settings.objects);
   take(root, "speed", settings.speed);
   takeSide(root, "width", settings.width);
   takeSide(root, "height", settings.height);
   take(root, "layout", settings.layout);
   settings.speed = std::clamp(settings.speed, kLeastSpeed, kMostSpeed);
+  take(root, "recent", settings.recent);
+  if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
   const auto all = root.find("bookmarks");
   if (all == root.end() || !all->is_object()) return;
   for (const auto& [file, marks] : all->items()) {
@@ -90,6 +93,12 @@ ViewSettings loadSettings(const std::filesystem::path& folder) noexcept {
   }
 }
 
+void addRecent(ViewSettings& settings, const std::string& file) {
+  std::erase(settings.recent, file);
+  settings.recent.insert(settings.recent.begin(), file);
+  if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
+}
+
 void mergeBookmarks(ViewSettings& settings, const ViewSettings& others) {
   for (const auto& [file, marks] : others.bookmarks)
     for (std::size_t i = 0; i < kBookmarks; ++i)
@@ -101,10 +110,12 @@ void saveSettings(const ViewSettings& settings, const std::filesystem::path& fol
   nlohmann::ordered_json root;
   root["panel"] = settings.panel;
   root["graph"] = settings.graph;
+  root["objects"] = settings.objects;
   root["speed"] = settings.speed;
   root["width"] = settings.width;
   root["height"] = settings.height;
   root["layout"] = settings.layout;
+  root["recent"] = settings.recent;
   root["bookmarks"] = nlohmann::ordered_json::object();
   for (const auto& [file, marks] : settings.bookmarks)
     for (std::size_t i = 0; i < kBookmarks; ++i)

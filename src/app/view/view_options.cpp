@@ -29,6 +29,7 @@ void addWindowOptions(CLI::App& command, ViewOptions& o) {
       ->type_name("0..1")
       ->capture_default_str();
   command.add_option("--select", o.select, "Inspect an object; OBJECT is its index in the file")->type_name("OBJECT");
+  command.add_flag("--list", o.list, "Open the list of objects");
   command.add_flag("--play", o.play, "Play the camera path");
   command.add_flag("--watch", o.watch, "Read files again when they, or buffers and images that they name, change");
   command.add_option("--scale", o.scale, "Scale of the interface; 0: scale of the display")

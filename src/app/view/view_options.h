@@ -25,6 +25,7 @@ struct ViewOptions {
   bool withInterface = false;                ///< the screenshot shows the interface
   std::filesystem::path json;                ///< file for the statistics of the last frames; empty: none
   std::optional<std::uint32_t> select;       ///< instance to inspect, index in the file
+  bool list = false;                         ///< the list of objects is open
   bool watch = false;
   bool play = false;
   std::filesystem::path shaders;  ///< folder of the shaders; empty: those built into the program

@@ -31,7 +31,8 @@ struct Configuration {
 struct Selection {
   std::size_t document = 0;
   int side = 0;
-  std::uint32_t object = 0;  ///< index into SceneData::objects
+  std::uint32_t object = 0;    ///< index into SceneData::objects
+  std::uint32_t instance = 0;  ///< its number in the file, by which it is found again when the scene is built anew
 };
 
 /// Shared by all parts of the viewer. Plain data: whoever changes it tells Redraw.
@@ -46,6 +47,8 @@ struct ViewState {
   bool linked = true;           ///< documents with like scenes share a camera
   bool playing = false;         ///< camera paths are played
   bool recording = false;       ///< a camera path is recorded
+  float freeLeft = 0.0F;        ///< right edge of the panel, pixels; 0 where it is closed or elsewhere
+  float coveredRight = 0.0F;    ///< columns at the right edge of the window under the window of the object, pixels
   std::size_t current = 0;      ///< document that keys and panel act on
   std::optional<Selection> selection;
   std::optional<Inspection> inspection;  ///< of the selection, once the scenes have settled

@@ -16,7 +16,9 @@
 #include "app/view/frame_graph.h"
 #include "app/view/help_window.h"
 #include "app/view/inspection_window.h"
+#include "app/view/object_window.h"
 #include "app/view/overlay.h"
+#include "app/view/path_window.h"
 #include "app/view/picture_overlays.h"
 #include "asset/image_io.h"
 #include "core/error.h"
@@ -131,14 +133,20 @@ void Viewer::renderScenes() {
   parts_.selection.leaveHiddenSide();
   const bool moves = parts_.state.playing || parts_.state.recording || isScript();
   if (!parts_.redraw.needsScenes() && !moves) {
-    if (parts_.redraw.needsInspection()) parts_.selection.inspect();
+    if (parts_.redraw.needsInspection()) inspect();
     return;
   }
   parts_.pictures.render();
   parts_.redraw.sceneFrameDone();
   const bool last = isScript() && framesDone_ + 1 >= *options_.frames;
   const bool settled = !parts_.redraw.needsScenes() && !parts_.state.playing;
-  if (parts_.redraw.needsInspection() && (last || settled)) parts_.selection.inspect();
+  if (parts_.redraw.needsInspection() && (last || settled)) inspect();
+}
+
+void Viewer::inspect() {
+  if (parts_.state.settings.objects) parts_.objects.update();
+  parts_.selection.inspect();
+  if (std::exchange(framesSelection_, false) && parts_.state.inspection) parts_.cameras.frame();
 }
 
 void Viewer::drawInterface() {
@@ -170,11 +178,16 @@ PanelResult Viewer::drawWindows() {
   PanelFacts facts{parts_.window.capabilities().renderer, command(0), width_, height_, {}};
   for (std::size_t i = 0; i < parts_.documents.size(); ++i)
     facts.documents.push_back(parts_.documents[i].file().filename().string());
+  state.freeLeft = state.coveredRight = 0.0F;
   if (state.settings.panel) drawPanel(state, parts_.documents.current(), facts, result);
-  if (state.settings.graph) drawFrameGraph(state.history);
+  if (state.settings.graph && drawFrameGraph(state.history)) result.actions.push_back(Action::kSaveFrames);
+  if (const Document* document = parts_.documents.current(); document != nullptr && state.settings.panel)
+    result.path = drawPath(*document, state.playing);
+  if (state.settings.objects)
+    result.objects = drawObjects(parts_.objects.table(), state.selection, objectRows_, &state.settings.objects);
   if (state.inspection) {
     const int side = state.selection ? state.selection->side : 0;
-    drawInspection(*state.inspection, state.configurations[static_cast<std::size_t>(side)].active);
+    state.coveredRight = drawInspection(*state.inspection, state.configurations[static_cast<std::size_t>(side)].active);
   }
   if (state.help) drawHelp(&state.help);
   return result;
@@ -186,11 +199,24 @@ void Viewer::applyPanel(const PanelResult& result) {
     for (Configuration& configuration : parts_.state.configurations)
       changed |= configuration.update();
   if (changed) parts_.redraw.scenesChanged();
+  if (result.path.frame) parts_.player.goTo(*result.path.frame);
+  if (result.path.toggle) parts_.player.toggle();
+  if (!result.open.empty()) parts_.documents.open({result.open});
+  applyObjects(result.objects);
   for (const Action action : result.actions)
     perform(action, parts_);
   if (result.resize)
     glfwSetWindowSize(parts_.window.handle(), static_cast<int>(result.resize->x), static_cast<int>(result.resize->y));
   if (result.saveFigures) parts_.outputs.saveFigures();
+}
+
+void Viewer::applyObjects(const ObjectWindowResult& result) {
+  if (result.select) parts_.selection.select(parts_.state.current, *result.select);
+  if (result.toggle) parts_.objects.toggle(*result.toggle);
+  if (result.isolate) parts_.objects.isolate(*result.isolate);
+  framesSelection_ = framesSelection_ || result.frame;  // its box is known when it has been inspected
+  for (const Action action : result.actions)
+    perform(action, parts_);
 }
 
 void Viewer::showTitle() {
@@ -203,6 +229,11 @@ void Viewer::showTitle() {
 
 void Viewer::loadNext() {
   const std::optional<std::size_t> loaded = parts_.documents.loadNext();
+  if (!loaded) return;
+  const Document& document = parts_.documents[*loaded];
+  std::error_code failed;
+  if (!isScript() && document.error().empty())
+    addRecent(parts_.state.settings, std::filesystem::absolute(document.file(), failed).string());
   if (loaded == 0 && select_) parts_.selection.select(0, *std::exchange(select_, std::nullopt));
 }
 

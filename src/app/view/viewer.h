@@ -31,6 +31,9 @@ class Viewer {
   bool idle() const;
 
   const ViewState& state() const { return parts_.state; }
+  const ObjectTable& objects() const { return parts_.objects.table(); }
+  /// The rows of the window of objects.
+  const ObjectRows& objectRows() const { return objectRows_; }
   std::size_t documentCount() const { return parts_.documents.size(); }
   Document& document(std::size_t index) { return parts_.documents[index]; }
   /// Where a document's picture is in the window.
@@ -52,10 +55,12 @@ class Viewer {
   void handleEvent(const InputEvent& event);
   void handleKey(const InputEvent& event);
   void renderScenes();
+  void inspect();
   void drawInterface();
   void drawPictureOverlays();
   PanelResult drawWindows();
   void applyPanel(const PanelResult& result);
+  void applyObjects(const ObjectWindowResult& result);
   void showTitle();
   void loadNext();
   void keepSettings();
@@ -64,6 +69,8 @@ class Viewer {
   const ViewOptions options_;
   ViewerParts parts_;
   std::optional<std::uint32_t> select_;  ///< --select, until the first document is loaded
+  ObjectRows objectRows_;
+  bool framesSelection_ = false;  ///< fit the view to the selected object once it has been inspected
   std::string title_;
   std::uint32_t width_ = 0;  ///< framebuffer, pixels
   std::uint32_t height_ = 0;

@@ -8,6 +8,7 @@ namespace {
 ViewState startState(const ViewOptions& options) {
   ViewState state;
   if (!options.frames) state.settings = loadSettings(settingsFolder());
+  state.settings.objects = state.settings.objects || options.list;
   state.outputs = options.outputs;
   state.divider = options.divider;
   state.playing = options.play;
@@ -32,6 +33,7 @@ ViewerParts::ViewerParts(platform::Window& openWindow, const ViewOptions& option
       documents(options, state, redraw, messages),
       pictures(window.capabilities(), state, documents, redraw),
       selection(state, documents, redraw, messages),
+      objects(state, documents, redraw, messages),
       cameras(state, documents, redraw, messages),
       navigation(state, documents, cameras, messages, interface),
       player(options, state, documents, redraw, messages),

@@ -7,6 +7,7 @@
 #include "app/view/interface.h"
 #include "app/view/messages.h"
 #include "app/view/navigation.h"
+#include "app/view/object_list.h"
 #include "app/view/object_selection.h"
 #include "app/view/outputs.h"
 #include "app/view/path_player.h"
@@ -35,6 +36,7 @@ struct ViewerParts {
   Documents documents;
   Pictures pictures;
   ObjectSelection selection;
+  ObjectList objects;
   Cameras cameras;
   Navigation navigation;
   PathPlayer player;

@@ -138,12 +138,23 @@ const overflowing = new ResizeObserver((entries) => {
     // A box that scrolls must be reachable by keyboard; other boxes need no tab stop.
     if (target.scrollWidth > target.clientWidth + 1) target.setAttribute('tabindex', '0');
     else target.removeAttribute('tabindex');
+    markEnds(target);
   }
 });
+/// Tells the style sheet on which sides of a box there is more to see.
+function markEnds(box) {
+  const hidden = box.scrollWidth - box.clientWidth;
+  box.parentElement.classList.toggle('more-left', hidden > 1 && box.scrollLeft > 1);
+  box.parentElement.classList.toggle('more-right', hidden > 1 && box.scrollLeft < hidden - 1);
+  box.parentElement.previousElementSibling.classList.toggle('needed', hidden > 1);
+  box.parentElement.previousElementSibling.classList.toggle('done', box.scrollLeft >= hidden - 1);
+}
 function scrolling(table, label) {
-  const node = element('div', { class: 'scroll', role: 'region', 'aria-label': label }, table);
+  const node = element('div', { class: 'scroll', role: 'region', 'aria-label': label,
+    scroll: () => markEnds(node) }, table);
   overflowing.observe(node);
-  return node;
+  return [element('p', { class: 'swipe', 'aria-hidden': 'true' }, 'More columns: scroll sideways \u2192'),
+    element('div', { class: 'ends' }, node)];
 }
 
 function tableFigure(label, caption, table, kind = '') {

@@ -55,6 +55,11 @@ function errorExplanations() {
     ...(configurations.some((c) => c.error?.butteraugli) ? [['Butteraugli', 'Distance of libjxl with a model of masking: '
       + 'an error in a busy part of the picture counts less. The figure is the 3-norm over the pixels for a display of '
       + '80 cd/m\u00b2. 0: the pictures do not differ; about 1: a difference that viewers just notice.']] : []),
+    ...(configurations.some((c) => c.worst_objects) ? [['Objects', 'The frame with the largest '
+      + 'FLIP over covered pixels was rendered again for each configuration. A pixel counts for the object that it shows; '
+      + 'where it shows the background or an object at its finest level, or where the object of the reference has no '
+      + 'pixel in the picture, it counts for the object of the reference. Deviation: largest distance of a level from the finest one, projected to pixels, '
+      + 'as the file states it; allowed: by the level rule.']] : []),
     ['Popping: switches', 'Of the objects with at least one visible pixel, the share that has another level than in '
       + 'the frame before.'],
     ['Popping: frozen', 'The camera is frozen while the renderer advances by one frame. The two pictures differ only '
@@ -139,6 +144,7 @@ results();
 picturesSection();  // before the chart over the frames, which marks the viewer's frame
 framesSection();
 sweepSection();
+objectsSection();
 passesSection();
 methodSection();
 contents();
@@ -147,6 +153,6 @@ window.jalousieReport = {
   charts,
   state: () => ({
     ...state, theme: document.documentElement.dataset.theme, hidden: [...hidden].map((i) => configurations[i].name),
-    viewer: viewer?.state() ?? null,
+    viewer: viewer?.state() ?? null, objects: objectTable?.state() ?? null,
   }),
 };

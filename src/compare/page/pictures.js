@@ -28,6 +28,7 @@ class Viewer {
     this.layer = 'image';
     this.mode = 'split';
     this.split = 50;  // percent
+    this.splitChosen = false;  // by the reader; until then it stands on the subject
     this.zoom = 1;
     this.pan = [0, 0];  // of the picture's corner, in sizes of the stage
     this.shown = 'right';
@@ -44,7 +45,17 @@ class Viewer {
         'Arrow keys move the split or the zoomed picture. Plus and minus zoom. Space swaps in flicker mode.'));
     this.listenToPointer();
     this.listenToKeys();
+    this.splitAtSubject();
     this.draw();
+  }
+
+  /// Puts the split where half of the right picture's error is on each side, unless the reader has moved it.
+  splitAtSubject() {
+    if (this.splitChosen) return;
+    const side = [this.right, this.left].find((value) => value !== REFERENCE);
+    const { name } = configurations[Number(side ?? baseline)];
+    const share = kept[this.at].pictures.find((p) => p.name === name)?.subject;
+    this.split = Math.round(100 * clamp(share ?? 0.5, 0.05, 0.95));
   }
 
   get frame() {
@@ -155,6 +166,7 @@ class Viewer {
   goTo(index) {
     this.at = index;
     this.markFrame();
+    this.splitAtSubject();
     this.draw();
     charts.frames?.setOption({ series: [keptMarks(chartColors())] });
   }
@@ -169,6 +181,7 @@ class Viewer {
 
   splitTo(percent) {
     this.split = clamp(percent, 0, 100);
+    this.splitChosen = true;
     this.draw();
   }
 
@@ -231,6 +244,7 @@ class Viewer {
     if (kept[0].reference) names.unshift([REFERENCE, 'reference']);
     const select = element('select', { 'aria-label': `${side} picture`, change: () => {
       this[side] = select.value;
+      this.splitAtSubject();
       this.draw();
     } }, names.map(([value, text]) => element('option', { value, selected: this[side] === value }, text)));
     return element('label', { class: 'field wide' }, element('b', null, side), select);
