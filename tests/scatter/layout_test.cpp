@@ -75,7 +75,7 @@ TEST(ScatterLayout, RotationAboutXKeepsXAndReachesAllAngles) {
     EXPECT_NEAR(glm::length(q), 1.0F, 1e-5F);
     EXPECT_NEAR((q * glm::vec3(1, 0, 0)).x, 1.0F, 1e-5F);
     const glm::vec3 up = q * glm::vec3(0, 1, 0);
-    ++quadrants[static_cast<std::size_t>((up.y > 0 ? 1 : 0) + (up.z > 0 ? 2 : 0))];
+    ++quadrants[(up.y > 0 ? 1U : 0U) + (up.z > 0 ? 2U : 0U)];
   }
   for (const int count : quadrants)
     EXPECT_NEAR(count, 500, 100);
