@@ -300,7 +300,7 @@ float allowedDeviation(const gpu::CullView& view, const DetailInput& object, con
   if (!has(view.traits, gpu::kTraitFollowsError)) return std::numeric_limits<float>::infinity();
   const Budget budget =
       budgetOf(view, object, state.lv, (marks & gpu::kMarkRemembered) != 0, (marks & gpu::kMarkCounted) != 0);
-  if (has(view.traits, gpu::kTraitPrice)) return priceOf(view, object, budget, 1.0F).maxError;
+  if (has(view.traits, gpu::kTraitPrice)) return priceOf(budget, 1.0F, priceFactor(object.price, view)).maxError;
   return budget.tau * budget.masking * budget.relaxed;
 }
 
