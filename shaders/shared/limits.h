@@ -79,9 +79,11 @@ const float kGainGrowth = 1.5;
 /// Growth of the logarithm in one frame that a cut of the camera makes and no step of the price: the gain starts again.
 const float kBudgetJump = 0.25;
 /// Without calm levels, where the gain is at its least below the budget: share of the budget that a finer level of one
-/// object may add, and the gain of the price of such levels.
+/// object may add, and the least share of the step that the price of such levels takes. A smaller gain grows by
+/// kSmallGainGrowth.
 const float kBudgetSmallStep = 1.0 / 64.0;
-const float kSmallStepGain = 1.0;
+const float kLeastSmallGain = 1.0 / 64.0;
+const float kSmallGainGrowth = 4.0;
 /// Largest step in one frame, and the range of the logarithm of the factor.
 const float kMostLogStep = 1.0;
 const float kMostLogFactor = 24.0;

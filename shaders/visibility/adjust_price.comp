@@ -16,9 +16,11 @@ layout(std430, binding = kBindingPriceState) buffer PriceStateBlock { PriceState
 /// Gain of this step. @param error  logarithm of triangles over budget
 float gainOf(float error) {
   if (abs(error) - abs(price.lastError) > kBudgetJump) return kMostGain;
-  if (error * price.lastError < 0.0) return max(0.5 * price.gain, 0.5 * kLeastGain);
+  float least = cullView.calm != 0u ? kLeastGain : kLeastGain * kLeastSmallGain;
+  if (error * price.lastError < 0.0) return max(0.5 * price.gain, 0.5 * least);
   bool stays = error <= kBudgetTolerance && error >= price.lastError - kBudgetTolerance;
-  return stays ? price.gain : min(kGainGrowth * price.gain, kMostGain);
+  if (stays) return price.gain;
+  return min((price.gain < 0.5 * kLeastGain ? kSmallGainGrowth : kGainGrowth) * price.gain, kMostGain);
 }
 
 /// Above the budget the fine end of the margin rises, below it the coarse end falls. Each moves the other one along
@@ -37,7 +39,11 @@ void move(float step, float widest) {
 /// levels follow, or where this came to rest only those of small steps.
 void moveAll(float error, float gain) {
   bool rests = gain <= kLeastGain;
-  float step = clamp((rests ? kSmallStepGain : gain) * error, -kMostLogStep, kMostLogStep);
+  float smallGain = gain / kLeastGain;  // of the price of small steps
+  if (rests && error < 0.0 && smallGain <= kLeastSmallGain) return;
+  // Away from the step that the price came to rest at: a few visible pixels more must not take it.
+  if (rests && error < 0.0 && price.logCoarse == price.logFine) price.logFine += 8.0 * kBudgetTolerance;
+  float step = clamp((rests ? smallGain : gain) * error, -kMostLogStep, kMostLogStep);
   price.logCoarse = clamp(price.logCoarse + step, -kMostLogFactor, kMostLogFactor);
   if (step < 0.0 && !rests) price.logFine = max(price.logFine + step, -kMostLogFactor);
   if (step > 0.0) price.logFine = max(price.logFine, price.logCoarse);

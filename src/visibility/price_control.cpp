@@ -11,11 +11,14 @@ namespace jalousie::visibility {
 namespace {
 
 /// Gain of this step. @param error  logarithm of triangles over budget
-float gainOf(const gpu::PriceState& price, float error) {
+float gainOf(const gpu::PriceState& price, float error, bool calm) {
   if (std::abs(error) - std::abs(price.lastError) > gpu::kBudgetJump) return gpu::kMostGain;
-  if (error * price.lastError < 0.0F) return std::max(0.5F * price.gain, 0.5F * gpu::kLeastGain);
+  const float least = calm ? gpu::kLeastGain : gpu::kLeastGain * gpu::kLeastSmallGain;
+  if (error * price.lastError < 0.0F) return std::max(0.5F * price.gain, 0.5F * least);
   const bool stays = error <= gpu::kBudgetTolerance && error >= price.lastError - gpu::kBudgetTolerance;
-  return stays ? price.gain : std::min(gpu::kGainGrowth * price.gain, gpu::kMostGain);
+  if (stays) return price.gain;
+  const float growth = price.gain < 0.5F * gpu::kLeastGain ? gpu::kSmallGainGrowth : gpu::kGainGrowth;
+  return std::min(growth * price.gain, gpu::kMostGain);
 }
 
 /// Above the budget the fine end of the margin rises, below it the coarse end falls. Each moves the other one along
@@ -34,7 +37,11 @@ void move(gpu::PriceState& price, float step, float widest) {
 /// levels follow, or where this came to rest only those of small steps.
 void moveAll(gpu::PriceState& price, float error, float gain) {
   const bool rests = gain <= gpu::kLeastGain;
-  const float step = std::clamp((rests ? gpu::kSmallStepGain : gain) * error, -gpu::kMostLogStep, gpu::kMostLogStep);
+  const float smallGain = gain / gpu::kLeastGain;  // of the price of small steps
+  if (rests && error < 0.0F && smallGain <= gpu::kLeastSmallGain) return;
+  // Away from the step that the price came to rest at: a few visible pixels more must not take it.
+  if (rests && error < 0.0F && price.logCoarse == price.logFine) price.logFine += 8.0F * gpu::kBudgetTolerance;
+  const float step = std::clamp((rests ? smallGain : gain) * error, -gpu::kMostLogStep, gpu::kMostLogStep);
   price.logCoarse = std::clamp(price.logCoarse + step, -gpu::kMostLogFactor, gpu::kMostLogFactor);
   if (step < 0.0F && !rests) price.logFine = std::max(price.logFine + step, -gpu::kMostLogFactor);
   if (step > 0.0F) price.logFine = std::max(price.logFine, price.logCoarse);
@@ -56,7 +63,7 @@ gpu::PriceState firstPrice() {
 gpu::PriceState adjustPrice(gpu::PriceState price, float triangles, const gpu::CullView& view) {
   JAL_CHECK(view.triangleBudget > 0U);
   const float error = std::log(std::max(triangles, 1.0F) / static_cast<float>(view.triangleBudget));
-  const float gain = gainOf(price, error);
+  const float gain = gainOf(price, error, view.calm != 0);
   const bool calm = view.calm != 0;
   const float widest = calm ? 4.0F * std::log(view.hysteresis) : 0.0F;
   if (calm && price.logFine - price.logCoarse > widest) {

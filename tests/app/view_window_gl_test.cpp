@@ -60,7 +60,7 @@ TEST_F(ViewWindow, WheelZoomsKeysFlyAndBookmarksRemember) {
   xdotool("mouseup 3");
   EXPECT_GT(state().settings.speed, speed) << "the wheel sets the speed while flying";
   key("f");
-  EXPECT_EQ(pose().look, viewer_->document(0).boundsWorld().center());
+  EXPECT_EQ(pose().look, glm::dvec3(viewer_->document(0).boundsWorld().center()));
   key("r");
   EXPECT_FALSE(viewer_->document(0).camera.pose.has_value()) << "reset goes back to the start";
 }
@@ -119,7 +119,7 @@ TEST_F(ViewWindow, ClickSelectsAndExplains) {
   EXPECT_FALSE(i.why.empty());
   expectHeadlessEqual("with a selection");
   key("f");
-  EXPECT_EQ(pose().look, i.boundsWorld.center()) << "F frames the selection";
+  EXPECT_EQ(pose().look, glm::dvec3(i.boundsWorld.center())) << "F frames the selection";
   xdotool("mousemove 5 5 click 1");
   settle();
   EXPECT_FALSE(state().selection.has_value()) << "the background selects nothing";
