@@ -45,9 +45,11 @@ std::size_t distinctColors(const ImageRgba8& image) {
   return colors.size();
 }
 
-/// Colours that a view has at least: shading makes many, a map or a count of surfaces has few.
+/// Colours that a view has at least: shading makes many, lines over one level's colour some (37 with --lod coverage), a
+/// map or a count of surfaces few.
 std::size_t leastColors(View view) {
-  return view == View::kOcclusion || view == View::kOverdraw || view == View::kDensity ? 2 : 50;
+  if (view == View::kOcclusion || view == View::kOverdraw || view == View::kDensity) return 2;
+  return view == View::kWireframe ? 25 : 50;
 }
 
 /// Triangles the driver generated between begin and end.
