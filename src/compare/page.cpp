@@ -111,12 +111,13 @@ ordered_json keptJson(const Results& results, const std::vector<Configuration>& 
   ordered_json kept = ordered_json::array();
   for (const std::uint32_t frame : frames) {
     ordered_json entry = {{"frame", frame}, {"reference", nullptr}, {"pictures", ordered_json::array()}};
-    for (const Configuration& configuration : configurations)
+    for (const Configuration& configuration : configurations) {
       entry["pictures"].push_back({{"name", configuration.name},
                                    {"image", nullptr},
                                    {"error", nullptr},
                                    {"lod", nullptr},
                                    {"subject", nullptr}});
+    }
     kept.push_back(std::move(entry));
   }
   const auto add = [&](ordered_json& target, std::uint32_t frame, const std::string& name, Picture kind) {

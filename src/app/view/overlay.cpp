@@ -59,13 +59,14 @@ std::array<glm::vec3, 8> frustumCorners(const scene::Camera& camera, float aspec
   const float tanY = std::tan(0.5F * camera.fovY);
   const float distances[] = {camera.zNear, std::max(camera.zFar.value_or(reachWorld), 2.0F * camera.zNear)};
   constexpr glm::vec2 kSigns[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  for (std::size_t plane = 0; plane < 2; ++plane)
+  for (std::size_t plane = 0; plane < 2; ++plane) {
+    const float d = distances[plane];
+    const float half = camera.isOrthographic() ? scene::halfHeight(camera, aspect) : tanY * d;
     for (std::size_t i = 0; i < 4; ++i) {
-      const float d = distances[plane];
-      const float half = camera.isOrthographic() ? scene::halfHeight(camera, aspect) : tanY * d;
       const glm::vec4 p(kSigns[i].x * half * aspect, kSigns[i].y * half, -d, 1.0F);
       corners[4 * plane + i] = glm::vec3(camera.worldFromCamera * p);
     }
+  }
   return corners;
 }
 
