@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "asset/lod_chain.h"
+#include "asset/node_graph.h"
 #include "asset/scene_material.h"
 
 namespace jalousie::asset {
@@ -27,7 +28,7 @@ class Counter {
   Counter(const tinygltf::Model& model, bool isTimed)
       : model_(model),
         isTimed_(isTimed),
-        parents_(model.nodes.size(), -1),
+        parents_(parentsOf(model)),
         carriesCamera_(model.nodes.size(), false),
         isAboveCamera_(model.nodes.size(), false),
         carriesMesh_(model.nodes.size(), false) {
@@ -143,9 +144,6 @@ class Counter {
 
   /// What the channels of a node move: cameras and meshes, which joints move as well.
   void findCarriers() {
-    for (std::size_t n = 0; n < model_.nodes.size(); ++n)
-      for (const int child : model_.nodes[n].children)
-        parents_[static_cast<std::size_t>(child)] = static_cast<int>(n);
     for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
       const tinygltf::Node& node = model_.nodes[n];
       if (node.mesh >= 0) markUpwards(static_cast<int>(n), carriesMesh_);

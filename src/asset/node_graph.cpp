@@ -56,6 +56,15 @@ std::vector<int> withoutDescendants(const tinygltf::Model& model, const tinygltf
 
 }  // namespace
 
+std::vector<int> parentsOf(const tinygltf::Model& model) {
+  std::vector<int> parents(model.nodes.size(), -1);
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    for (const int child : model.nodes[node].children)
+      parents[static_cast<std::size_t>(child)] = static_cast<int>(node);
+  }
+  return parents;
+}
+
 std::vector<int> sceneRoots(const tinygltf::Model& model) {
   if (!model.scenes.empty())
     return withoutDescendants(model,

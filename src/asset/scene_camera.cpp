@@ -83,11 +83,7 @@ void readLens(const tinygltf::Camera& source, Camera& camera) {
 }  // namespace
 
 CameraReader::CameraReader(const tinygltf::Model& model, const Limits& limits, NodeMotion& motion)
-    : model_(model), limits_(limits), motion_(motion), parents_(model.nodes.size(), -1) {
-  for (std::size_t node = 0; node < model.nodes.size(); ++node)
-    for (const int child : model.nodes[node].children)
-      parents_[static_cast<std::size_t>(child)] = static_cast<int>(node);
-}
+    : model_(model), limits_(limits), motion_(motion), parents_(parentsOf(model)) {}
 
 template <class Value, class Read>
 const CameraReader::Keys<Value>& CameraReader::keysOf(KeyTable<Value>& table, const tinygltf::AnimationSampler& sampler,
