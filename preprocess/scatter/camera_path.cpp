@@ -61,17 +61,17 @@ double outsideAngle(const PathSubject& subject, double frame) {
   return subject.occluder ? kArc * std::sin(phase) : phase;
 }
 
-struct Pose {
+struct EyePose {
   glm::dvec3 position;
   glm::dvec3 direction;
 };
 
-Pose outsidePose(const PathSubject& subject, double frame) {
+EyePose outsidePose(const PathSubject& subject, double frame) {
   const glm::dvec3 direction = outward(outsideAngle(subject, frame), elevation(subject));
   return {static_cast<double>(outsideDistance(subject)) * direction, -direction};
 }
 
-Pose insidePose(const PathSubject& subject, double frame) {
+EyePose insidePose(const PathSubject& subject, double frame) {
   const double turn = (frame - kInsideFrame) / (kFrameCount - kInsideFrame);
   const double angle = outsideAngle(subject, kApproachFrame) + 2.0 * kPi * turn;
   const glm::dvec3 direction = outward(angle, 0.0);
@@ -80,12 +80,12 @@ Pose insidePose(const PathSubject& subject, double frame) {
           std::cos(kInsideTurn) * along - std::sin(kInsideTurn) * direction};
 }
 
-Pose poseAt(const PathSubject& subject, double frame) {
+EyePose poseAt(const PathSubject& subject, double frame) {
   if (single(subject) || frame < kApproachFrame) return outsidePose(subject, frame);
   if (frame >= kInsideFrame) return insidePose(subject, frame);
   const double weight = smooth((frame - kApproachFrame) / (kInsideFrame - kApproachFrame));
-  const Pose from = outsidePose(subject, kApproachFrame);
-  const Pose to = insidePose(subject, kInsideFrame);
+  const EyePose from = outsidePose(subject, kApproachFrame);
+  const EyePose to = insidePose(subject, kInsideFrame);
   const glm::dvec3 position = glm::mix(from.position, to.position, weight);
   const glm::dvec3 direction = glm::mix(-glm::normalize(position), to.direction, weight);
   return {position, glm::normalize(direction)};
@@ -121,7 +121,7 @@ CameraPath makeCameraPath(const PathSubject& subject) {
   CameraPath path;
   for (std::uint32_t key = 0;; key += kKeyStep) {
     const std::uint32_t frame = std::min(key, kFrameCount - 1);
-    const Pose pose = poseAt(subject, frame);
+    const EyePose pose = poseAt(subject, frame);
     glm::quat rotation = rotationFor(pose.direction);
     if (!path.rotations.empty() && glm::dot(rotation, path.rotations.back()) < 0.0F) rotation = -rotation;
     path.times.push_back(static_cast<float>(frame) / static_cast<float>(kFramesPerSecond));

@@ -24,7 +24,6 @@ namespace {
 
 using tinygltf::Model;
 
-constexpr const char* kLights = "KHR_lights_punctual";
 /// Planes of the camera, relative to the object's radius and to the farthest thing in sight.
 constexpr float kNearShare = 0.02F;
 constexpr float kFarShare = 1.5F;

@@ -21,8 +21,6 @@ namespace {
 
 using tinygltf::Model;
 
-constexpr const char* kLights = "KHR_lights_punctual";
-
 struct Visit {
   int node;
   glm::dmat4 worldFromNode;

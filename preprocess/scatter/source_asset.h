@@ -14,6 +14,8 @@
 
 namespace jalousie::scatter {
 
+constexpr const char* kLights = "KHR_lights_punctual";
+
 /// Translation, rotation and scale: x -> translation + rotation * (scale * x).
 struct Pose {
   glm::vec3 translation{0.0F};

@@ -39,7 +39,7 @@ std::string text(const DiffOptions& options, const nlohmann::ordered_json& figur
 }
 
 /// Bytes of the largest picture file read.
-constexpr std::uint64_t kMaxFileBytes = 1ULL << 30U;
+constexpr std::uint64_t kMaxPictureBytes = 1ULL << 30U;
 
 /// A picture that is not decoded yet.
 struct EncodedPicture {
@@ -48,7 +48,7 @@ struct EncodedPicture {
   asset::ImageSize size;
 
   explicit EncodedPicture(const std::filesystem::path& path)
-      : file(path), bytes(readFile(path, kMaxFileBytes)), size(asset::imageSize(bytes, {}, path)) {}
+      : file(path), bytes(readFile(path, kMaxPictureBytes)), size(asset::imageSize(bytes, {}, path)) {}
   ImageRgba8 decoded() const { return asset::decodeImage(bytes, {}, file); }
 };
 

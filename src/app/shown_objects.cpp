@@ -34,10 +34,10 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> rangeOf(std::string_view 
 }
 
 /// Marks the objects of one list.
-class Selection {
+class NameSelection {
  public:
   /// @param path  of the file, for errors
-  Selection(const asset::SceneFile& file, const char* option, std::filesystem::path path)
+  NameSelection(const asset::SceneFile& file, const char* option, std::filesystem::path path)
       : file_(file), option_(option), path_(std::move(path)), chosen_(file.instances.size()) {}
 
   void add(const std::string& list) {
@@ -95,8 +95,8 @@ class Selection {
 std::vector<std::uint32_t> hiddenObjects(const asset::SceneFile& file, const RenderOptions& options) {
   std::vector<std::uint32_t> hidden;
   if (options.hide.empty() && options.only.empty()) return hidden;
-  Selection out(file, "--hide", options.scene);
-  Selection in(file, "--only", options.scene);
+  NameSelection out(file, "--hide", options.scene);
+  NameSelection in(file, "--only", options.scene);
   if (!options.hide.empty()) out.add(options.hide);
   if (!options.only.empty()) in.add(options.only);
   for (std::size_t i = 0; i < file.instances.size(); ++i)

@@ -32,8 +32,8 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 /// Most bytes that one compressed byte can stand for beyond the free ones. Large planes of equal attributes come close.
-constexpr std::uint64_t kMaxExpansion = 256;
-constexpr std::uint64_t kFreeBytes = 64ULL << 20U;
+constexpr std::uint64_t kMaxDracoExpansion = 256;
+constexpr std::uint64_t kFreeDracoBytes = 64ULL << 20U;
 constexpr std::uint64_t kCornerBytes =
     4;  ///< of each index, whatever its type: the decoder's own tables grow with them
 
@@ -169,7 +169,7 @@ class DracoReader {
     std::uint64_t given = 0;
     for (const Bytes& buffer : buffers)
       given += buffer.size();
-    room_ = std::min(limits.maxFileBytes, kFreeBytes + kMaxExpansion * given);
+    room_ = std::min(limits.maxFileBytes, kFreeDracoBytes + kMaxDracoExpansion * given);
   }
 
   void run() {
@@ -402,7 +402,8 @@ class DracoReader {
     const std::vector<Target> targets = targetsOf(primitive, extension);
     account(targets);
     draco::Mesh mesh;
-    decodeStream(stream, {targets[1].count, targets[0].count / 3, kFreeBytes + kMaxExpansion * stream.size()}, mesh);
+    decodeStream(stream, {targets[1].count, targets[0].count / 3, kFreeDracoBytes + kMaxDracoExpansion * stream.size()},
+                 mesh);
     store(mesh, targets);
   }
 

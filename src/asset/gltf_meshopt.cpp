@@ -24,8 +24,8 @@ using Path = std::filesystem::path;
 using Bytes = std::vector<unsigned char>;
 
 /// Most bytes that one compressed byte can stand for.
-constexpr std::uint64_t kMaxExpansion = 64;
-constexpr std::uint64_t kFreeBytes = 64ULL << 20U;
+constexpr std::uint64_t kMaxMeshoptExpansion = 64;
+constexpr std::uint64_t kFreeMeshoptBytes = 64ULL << 20U;
 
 /// One compressed view, its numbers checked.
 struct Compressed {
@@ -109,7 +109,8 @@ Compressed readExtension(const json& extension, const json& bufferView, std::siz
   requireKnownCodec(source, view, file);
   checkStride(source, view, file);
   // Both codecs spend at least two bits on sixteen bytes; more is a demand for memory, not data.
-  if (decoded / kMaxExpansion > source.size) malformed(view, "the data is too short for what it unfolds to", file);
+  if (decoded / kMaxMeshoptExpansion > source.size)
+    malformed(view, "the data is too short for what it unfolds to", file);
   return source;
 }
 
@@ -306,7 +307,7 @@ void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limit
   std::uint64_t given = 0;
   for (const Bytes& buffer : buffers)
     given += buffer.size();
-  const std::uint64_t most = std::min(limits.maxFileBytes, kFreeBytes + kMaxExpansion * given);
+  const std::uint64_t most = std::min(limits.maxFileBytes, kFreeMeshoptBytes + kMaxMeshoptExpansion * given);
   for (std::size_t i = 0; i < views->size(); ++i) {
     json& view = (*views)[i];
     const char* name = nameIn(view);

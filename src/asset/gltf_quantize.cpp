@@ -22,7 +22,7 @@
 namespace jalousie::asset {
 namespace {
 
-constexpr const char* kExtension = "KHR_mesh_quantization";
+constexpr const char* kQuantization = "KHR_mesh_quantization";
 constexpr std::uint64_t kNoLimit = ~0ULL;
 
 bool canQuantize(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
@@ -264,7 +264,7 @@ void moveMeshIntoChild(tinygltf::Model& model, int index, const Grid& grid) {
 }
 
 void declare(std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), kExtension) == names.end()) names.emplace_back(kExtension);
+  if (std::find(names.begin(), names.end(), kQuantization) == names.end()) names.emplace_back(kQuantization);
 }
 
 }  // namespace

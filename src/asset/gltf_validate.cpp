@@ -20,13 +20,14 @@
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
+
+void malformed(const std::string& message) {
+  throw Error(ErrorCode::kMalformed, message);
+}
+
 namespace {
 
 using tinygltf::Model;
-
-[[noreturn]] void malformed(const std::string& message) {
-  throw Error(ErrorCode::kMalformed, message);
-}
 
 /// As requireIndex, where -1 means absent.
 void requireOptional(int index, std::size_t size, const char* owner, std::size_t ownerIndex, const char* what) {

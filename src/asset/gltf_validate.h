@@ -3,9 +3,20 @@
 
 #include <tiny_gltf.h>
 
+#include <cstddef>
+#include <string>
+
 #include "asset/read_limits.h"
 
 namespace jalousie::asset::detail {
+
+/// Throws an error of code kMalformed.
+[[noreturn]] void malformed(const std::string& message);
+
+/// @pre the index is in range
+inline const tinygltf::Accessor& accessorAt(const tinygltf::Model& model, int index) {
+  return model.accessors[static_cast<std::size_t>(index)];
+}
 
 /// Checks the values of skins, animations and instances: a finite matrix for each joint, key times that are finite and
 /// ascend, a finite value of the right type for each key, rotations with a direction, finite transforms of instances.

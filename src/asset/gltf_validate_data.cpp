@@ -25,14 +25,6 @@ using tinygltf::Model;
 constexpr std::uint64_t kMaxOverlap = 16;
 constexpr std::uint64_t kFreeAccessorBytes = 1ULL << 26U;
 
-[[noreturn]] void malformed(const std::string& message) {
-  throw Error(ErrorCode::kMalformed, message);
-}
-
-const tinygltf::Accessor& accessorAt(const Model& model, int index) {
-  return model.accessors[static_cast<std::size_t>(index)];
-}
-
 void checkDemand(const Model& model, const Limits& limits) {
   std::uint64_t empty = 0;
   std::uint64_t bytes = 0;

@@ -19,14 +19,6 @@ namespace {
 
 using tinygltf::Model;
 
-[[noreturn]] void malformed(const std::string& message) {
-  throw Error(ErrorCode::kMalformed, message);
-}
-
-const tinygltf::Accessor& accessorAt(const Model& model, int index) {
-  return model.accessors[static_cast<std::size_t>(index)];
-}
-
 /// @param owner  "skin 3", for the message
 void requireFinite(const Model& model, int accessor, const std::string& owner) {
   if (!holdsFiniteNumbers(model, accessor))

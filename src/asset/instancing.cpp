@@ -15,10 +15,10 @@
 namespace jalousie::asset {
 namespace {
 
-constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
 [[noreturn]] void malformed(int node, const char* what) {
-  throw Error(ErrorCode::kMalformed, fmt::format("node {}: {} {}", node, kExtension, what));
+  throw Error(ErrorCode::kMalformed, fmt::format("node {}: {} {}", node, kInstancing, what));
 }
 
 /// Accessor of one attribute, -1 if absent.
@@ -53,7 +53,7 @@ struct Attributes {
 Attributes attributesOf(const tinygltf::Model& model, int node, const Limits& limits) {
   detail::requireIndex(node, model.nodes.size(), "node");
   const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
-  const auto found = extensions.find(kExtension);
+  const auto found = extensions.find(kInstancing);
   if (found == extensions.end()) return {};
   if (!found->second.IsObject() || !found->second.Get("attributes").IsObject()) malformed(node, "has no attributes");
   const tinygltf::Value& attributes = found->second.Get("attributes");
@@ -100,7 +100,7 @@ tinygltf::Value appendInstances(tinygltf::Model& model, const Instances& instanc
   attributes["ROTATION"] = tinygltf::Value(appendQuaternions(model, instances.rotations, 0));
   attributes["SCALE"] = tinygltf::Value(appendVec3(model, instances.scales, 0));
   std::vector<std::string>& used = model.extensionsUsed;
-  if (std::find(used.begin(), used.end(), kExtension) == used.end()) used.emplace_back(kExtension);
+  if (std::find(used.begin(), used.end(), kInstancing) == used.end()) used.emplace_back(kInstancing);
   return tinygltf::Value(tinygltf::Value::Object{{"attributes", tinygltf::Value(std::move(attributes))}});
 }
 

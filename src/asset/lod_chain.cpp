@@ -16,7 +16,7 @@
 namespace jalousie::asset {
 namespace {
 
-constexpr const char* kExtension = "MSFT_lod";
+constexpr const char* kLevels = "MSFT_lod";
 constexpr const char* kCoverage = "MSFT_screencoverage";
 constexpr const char* kExtras = "jalousie";
 constexpr const char* kCells = "cells";
@@ -225,17 +225,17 @@ void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNod
   for (const float level : coverage)
     levels.emplace_back(static_cast<double>(level));
   if (!ids.empty()) {  // the extension requires at least one id
-    target.extensions[kExtension] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(std::move(ids))}});
+    target.extensions[kLevels] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(std::move(ids))}});
     setMember(target.extras, kCoverage, tinygltf::Value(std::move(levels)));
     std::vector<std::string>& used = model.extensionsUsed;
-    if (std::find(used.begin(), used.end(), kExtension) == used.end()) used.emplace_back(kExtension);
+    if (std::find(used.begin(), used.end(), kLevels) == used.end()) used.emplace_back(kLevels);
   }
 }
 
 std::vector<int> lodIds(const tinygltf::Model& model, int node) {
   detail::requireIndex(node, model.nodes.size(), "node");
   const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
-  const auto found = extensions.find(kExtension);
+  const auto found = extensions.find(kLevels);
   if (found == extensions.end()) return {};
   if (!found->second.IsObject() || !found->second.Get("ids").IsArray())
     malformed(fmt::format("node {}: MSFT_lod has no list of ids", node));

@@ -100,9 +100,9 @@ float meanErrorOf(const asset::LodLevel& level) {
 }
 
 /// Builds one scene.
-class Builder {
+class SceneBuilder {
  public:
-  Builder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}
+  SceneBuilder(const asset::SceneFile& file, const BuildOptions& options) : file_(file), options_(options) {}
 
   SceneData build() {
     scene_.textures = makeTextureLayers(file_.images, layerUses());
@@ -409,7 +409,7 @@ class Builder {
 }  // namespace
 
 SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options) {
-  return Builder(file, options).build();
+  return SceneBuilder(file, options).build();
 }
 
 gpu::Transform makeTransform(const glm::mat4& worldFromObject) {

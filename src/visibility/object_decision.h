@@ -4,8 +4,15 @@
 #include <span>
 
 #include "shared/frame_structs.h"
+#include "shared/limits.h"
 
 namespace jalousie::visibility {
+
+/// Whether the frame draws an object of this verdict.
+inline bool isDrawn(const gpu::ObjectState& state) {
+  return state.verdict != gpu::kVerdictOutside && state.verdict != gpu::kVerdictSmall &&
+         state.verdict != gpu::kVerdictOccluded;
+}
 
 /// One object.
 struct ObjectDecision {

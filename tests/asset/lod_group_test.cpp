@@ -19,14 +19,14 @@ namespace {
 using test::addNode;
 using test::addTriangle;
 
-SceneFile flatten(const tinygltf::Model& model, std::optional<double> seconds = std::nullopt) {
+SceneFile flattenAt(const tinygltf::Model& model, std::optional<double> seconds = std::nullopt) {
   const test::TempFolder folder;
   saveGlb(model, folder / "scene.glb");
   return readSceneFile(folder / "scene.glb", {}, {}, {.check = {}, .seconds = seconds});
 }
 
 std::optional<ErrorCode> codeOfFlatten(const tinygltf::Model& model) {
-  return test::codeOf([&] { flatten(model); });
+  return test::codeOf([&] { flattenAt(model); });
 }
 
 /// A node without a mesh whose children show a mesh at x = 1 and x = 3.
@@ -81,7 +81,7 @@ void storeError(tinygltf::Model& model, int mesh, double max, double mean) {
 /// Counts before reading are those of what is read.
 void expectMeasured(const tinygltf::Model& model) {
   const SceneSize size = measureScene(model);
-  const SceneFile scene = flatten(model);
+  const SceneFile scene = flattenAt(model);
   std::uint64_t vertices = 0;
   std::uint64_t indices = 0;
   std::uint64_t levels = 0;
@@ -109,7 +109,7 @@ TEST(LodGroup, MeshesOfALevelAreOneObject) {
   GroupModel made = twoLevels();
   nodeOf(made.model, made.finest).translation = {0, 5, 0};
   nodeOf(made.model, made.coarse).translation = {0, 5, 0};
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   ASSERT_EQ(scene.instances.size(), 1U);
   EXPECT_EQ(glm::vec3(scene.instances[0].worldFromObject[3]), glm::vec3(0, 5, 0));
   ASSERT_EQ(scene.chains.size(), 1U);
@@ -131,7 +131,7 @@ TEST(LodGroup, ALevelStandsInPlaceOfItsGroup) {
   GroupModel made = twoLevels();
   nodeOf(made.model, made.finest).scale = {2, 2, 2};
   nodeOf(made.model, made.coarse).translation = {8, 0, 0};
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   const glm::vec3 world(scene.instances.at(0).worldFromObject *
                         glm::vec4(meshOf(scene, 1).primitives[0].positions[0], 1));
   EXPECT_EQ(world, glm::vec3(9, 0, 1)) << "its own transform counts, not that of LOD 0";
@@ -141,7 +141,7 @@ TEST(LodGroup, MirroredPartsKeepTheirFacingAndNormals) {
   GroupModel made = twoLevels();
   nodeOf(made.model, nodeOf(made.model, made.finest).children[0]).scale = {1, 1, -1};
   nodeOf(made.model, nodeOf(made.model, made.finest).children[1]).scale = {-1, 1, 1};
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   for (const Primitive& primitive : meshOf(scene, 0).primitives) {
     const glm::vec3 a = primitive.positions[primitive.indices[0]];
     const glm::vec3 facing =
@@ -157,7 +157,7 @@ TEST(LodGroup, NormalsOfUnevenScalesStayPerpendicular) {
   tinygltf::Node& child = nodeOf(made.model, nodeOf(made.model, made.finest).children[0]);
   child.matrix = {1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1};  // shears y towards z
   child.translation.clear();
-  const Primitive primitive = meshOf(flatten(made.model), 0).primitives[0];
+  const Primitive primitive = meshOf(flattenAt(made.model), 0).primitives[0];
   const glm::vec3 edge = primitive.positions[2] - primitive.positions[0];
   EXPECT_EQ(edge, glm::vec3(0, 1, 1));
   EXPECT_NEAR(glm::dot(edge, primitive.normals[0]), 0.0F, 1e-6F);
@@ -176,7 +176,7 @@ TEST(LodGroup, EqualGroupsShareAChain) {
   nodeOf(model, nodeOf(model, other).children[1]).translation = {3.5, 0, 0};
   setLevels(model, other, {made.coarse});
   test::setScene(model, {made.finest, twin, copy, other});
-  const SceneFile scene = flatten(model);
+  const SceneFile scene = flattenAt(model);
   EXPECT_EQ(scene.instances.size(), 4U);
   EXPECT_EQ(scene.chains.size(), 2U);
   EXPECT_EQ(scene.meshes.size(), 3U) << "both chains have one LOD 1";
@@ -187,7 +187,7 @@ TEST(LodGroup, StoredErrorsHoldWhereEachPartHasOne) {
   GroupModel made = twoLevels();
   storeError(made.model, 1, 0.5, 0.25);
   nodeOf(made.model, nodeOf(made.model, made.coarse).children[1]).scale = {3, 1, 1};
-  const LodLevel known = flatten(made.model).chains.at(0).levels.at(1);
+  const LodLevel known = flattenAt(made.model).chains.at(0).levels.at(1);
   EXPECT_GE(known.errorObject, 1.5F) << "three times as large";
   EXPECT_LT(known.errorObject, 1.6F);
   EXPECT_FLOAT_EQ(known.meanErrorObject.value_or(0.0F), known.errorObject / 2);
@@ -195,7 +195,7 @@ TEST(LodGroup, StoredErrorsHoldWhereEachPartHasOne) {
   GroupModel fewer = twoLevels();
   storeError(fewer.model, 1, 0.5, 0.25);
   nodeOf(fewer.model, fewer.coarse).children.pop_back();
-  const LodLevel unknown = flatten(fewer.model).chains.at(0).levels.at(1);
+  const LodLevel unknown = flattenAt(fewer.model).chains.at(0).levels.at(1);
   EXPECT_TRUE(std::isinf(unknown.errorObject)) << "nothing tells how far what is left out is away";
   EXPECT_EQ(unknown.meanErrorObject, std::nullopt);
 }
@@ -204,9 +204,9 @@ TEST(LodGroup, MeshAndGroupMayBeLevelsOfEachOther) {
   GroupModel made = twoLevels();
   nodeOf(made.model, made.coarse).children.clear();
   nodeOf(made.model, made.coarse).mesh = 1;  // LOD 1 is one mesh
-  EXPECT_EQ(meshOf(flatten(made.model), 1).primitives.size(), 1U);
+  EXPECT_EQ(meshOf(flattenAt(made.model), 1).primitives.size(), 1U);
   nodeOf(made.model, made.finest).mesh = 0;  // LOD 0 has a mesh, too: now all levels are meshes
-  const SceneFile meshes = flatten(made.model);
+  const SceneFile meshes = flattenAt(made.model);
   EXPECT_EQ(meshes.instances.size(), 3U) << "what is below LOD 0 is drawn at all levels";
   expectMeasured(made.model);
 }
@@ -214,7 +214,7 @@ TEST(LodGroup, MeshAndGroupMayBeLevelsOfEachOther) {
 TEST(LodGroup, ALevelWithoutTrianglesEndsTheChain) {
   GroupModel made = twoLevels();
   made.model.meshes[1].primitives[0].mode = TINYGLTF_MODE_POINTS;
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   ASSERT_EQ(scene.instances.size(), 1U);
   EXPECT_EQ(scene.chains.at(0).levels.size(), 1U);
   nodeOf(made.model, made.coarse).children.clear();
@@ -231,7 +231,7 @@ TEST(LodGroup, CamerasBelowAGroupAreRead) {
   const int child = addNode(made.model, -1, "eye");
   nodeOf(made.model, child).camera = 0;
   nodeOf(made.model, made.finest).children.push_back(child);
-  EXPECT_EQ(flatten(made.model).cameras.size(), 1U);
+  EXPECT_EQ(flattenAt(made.model).cameras.size(), 1U);
 }
 
 TEST(LodGroup, InstancesOfPartsBecomeCopies) {
@@ -242,7 +242,7 @@ TEST(LodGroup, InstancesOfPartsBecomeCopies) {
   instances.scales.assign(3, glm::vec3(1));
   nodeOf(made.model, nodeOf(made.model, made.finest).children[1]).extensions["EXT_mesh_gpu_instancing"] =
       appendInstances(made.model, instances);
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   EXPECT_EQ(scene.instances.size(), 1U);
   const std::vector<Primitive>& primitives = meshOf(scene, 0).primitives;
   ASSERT_EQ(primitives.size(), 4U);
@@ -287,7 +287,7 @@ TEST(LodGroup, PartsFollowTheirAnimations) {
   channel.target_path = "translation";
   animation.channels.push_back(channel);
   model.animations.push_back(animation);
-  const SceneFile scene = flatten(model, 0.5);
+  const SceneFile scene = flattenAt(model, 0.5);
   EXPECT_EQ(meshOf(scene, 0, 0).primitives[0].positions[0], glm::vec3(1, 2, 0));
   EXPECT_EQ(meshOf(scene, 0, 1).primitives[0].positions[0], glm::vec3(1, 0, 0));
   expectMeasured(model);
@@ -318,7 +318,7 @@ TEST(LodGroup, LevelsInsideOfGroupsAreLeftOutAndCounted) {
   GroupModel made = twoLevels();
   const int lower = addNode(made.model, 1);
   setLevels(made.model, nodeOf(made.model, made.finest).children[0], {lower});
-  const SceneFile scene = flatten(made.model);
+  const SceneFile scene = flattenAt(made.model);
   EXPECT_EQ(meshOf(scene, 0).primitives.size(), 2U);
   EXPECT_EQ(scene.ignored, (ContentCounts{{"levels inside of groups with levels", 1}}));
 }
@@ -349,7 +349,7 @@ TEST(LodGroup, AGroupMayBeALevelOfWhatItHolds) {
   nodeOf(made.model, outer).children = {made.finest};
   setLevels(made.model, made.finest, {outer});
   test::setScene(made.model, {outer});
-  EXPECT_EQ(flatten(made.model).chains.at(0).levels.size(), 2U) << "the level above shows what the group shows";
+  EXPECT_EQ(flattenAt(made.model).chains.at(0).levels.size(), 2U) << "the level above shows what the group shows";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ tinygltf::Primitive primitiveOf(tinygltf::Model& model, const asset::Primitive& 
 }
 
 /// One mesh of two spheres that overlap, each with a material of its own: 1520 and 960 triangles.
-tinygltf::Model document() {
+tinygltf::Model twoSpheres() {
   tinygltf::Model model;
   model.asset.version = "2.0";
   model.materials.resize(2);
@@ -61,7 +61,7 @@ std::vector<MeshReport> bakeWith(tinygltf::Model& model, const CellOptions& cell
 }
 
 asset::SceneFile sceneWith(const CellOptions& cells) {
-  tinygltf::Model model = document();
+  tinygltf::Model model = twoSpheres();
   bakeWith(model, cells);
   return asset::readScene(asset::parseGltf(asset::encodeGlb(model), "baked.glb"), "baked.glb");
 }
@@ -194,18 +194,18 @@ TEST(BakedCells, KeepMostOfTheVertexCache) {
 
 TEST(BakedCells, AutoLeavesSmallMeshesAsTheyAre) {
   for (const std::uint32_t rows : {8U, 9U}) {  // 448 and 512 triangles
-    tinygltf::Model model = document();
+    tinygltf::Model model = twoSpheres();
     model.meshes[0].primitives = {primitiveOf(model, test::sphere(32, rows), glm::vec3(0))};
     EXPECT_EQ(bakeWith(model, {})[0].cells, 0U);
     EXPECT_TRUE(asset::lodCells(model, model.meshes[0]).empty());
   }
-  tinygltf::Model model = document();
+  tinygltf::Model model = twoSpheres();
   model.meshes[0].primitives = {primitiveOf(model, test::sphere(32, 10), glm::vec3(0))};
   EXPECT_EQ(bakeWith(model, {})[0].cells, 3U) << "576 triangles";
 }
 
 TEST(BakedCells, ManyPrimitivesGetLargerCells) {
-  tinygltf::Model model = document();
+  tinygltf::Model model = twoSpheres();
   model.meshes[0].primitives.clear();
   for (int i = 0; i < 100; ++i)
     model.meshes[0].primitives.push_back(primitiveOf(model, test::sphere(8, 4), glm::vec3(3 * i, 0, 0)));
@@ -215,7 +215,7 @@ TEST(BakedCells, ManyPrimitivesGetLargerCells) {
 }
 
 TEST(BakedCells, AnotherBakeReplacesThem) {
-  tinygltf::Model model = document();
+  tinygltf::Model model = twoSpheres();
   bakeWith(model, {64, false}, 1);  // one level: not a chain, so it is baked again
   EXPECT_GE(asset::cellCount(asset::lodCells(model, model.meshes[0])), 38U);
   tinygltf::Model other = asset::parseGltf(asset::encodeGlb(model), "once.glb");

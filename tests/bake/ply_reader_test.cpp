@@ -15,7 +15,7 @@ namespace {
 using test::bytesOf;
 using test::codeOf;
 
-TriangleMesh read(const std::string& text) {
+TriangleMesh onlyPartOf(const std::string& text) {
   Notes notes;
   return test::onlyPart(readPly(bytesOf(text), "test.ply", notes));
 }
@@ -61,15 +61,15 @@ std::string binaryPly(bool bigEndian) {
 }
 
 TEST(PlyReader, AsciiPolygonsBecomeFans) {
-  const TriangleMesh mesh = read(kQuad);
+  const TriangleMesh mesh = onlyPartOf(kQuad);
   EXPECT_EQ(mesh.positions.size(), 4U);
   EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   EXPECT_TRUE(mesh.normals.empty());
 }
 
 TEST(PlyReader, BothByteOrdersGiveTheSameMesh) {
-  const TriangleMesh little = read(binaryPly(false));
-  const TriangleMesh big = read(binaryPly(true));
+  const TriangleMesh little = onlyPartOf(binaryPly(false));
+  const TriangleMesh big = onlyPartOf(binaryPly(true));
   EXPECT_EQ(little.positions, big.positions);
   EXPECT_EQ(little.indices, big.indices);
   EXPECT_EQ(little.positions[3], glm::vec3(1, 1, -5));
@@ -92,9 +92,9 @@ TEST(PlyReader, ColoursAreSharesOfTheirTypesFullColour) {
                                    {"int", "255"},
                                    {"uint", "255"},
                                    {"ushort", "65535"}})
-    EXPECT_EQ(read(redPly(type, full)).colors.at(0), glm::vec4(1, 0, 0, 1)) << type;
-  EXPECT_NEAR(read(redPly("float", "0.5")).colors.at(0).r, 0.214F, 1e-3F);
-  EXPECT_EQ(read(redPly("float", "-1e-6")).colors.at(0).r, 0.0F);
+    EXPECT_EQ(onlyPartOf(redPly(type, full)).colors.at(0), glm::vec4(1, 0, 0, 1)) << type;
+  EXPECT_NEAR(onlyPartOf(redPly("float", "0.5")).colors.at(0).r, 0.214F, 1e-3F);
+  EXPECT_EQ(onlyPartOf(redPly("float", "-1e-6")).colors.at(0).r, 0.0F);
 }
 
 TEST(PlyReader, ColoursOutOfRangeAreRefusedWithTheValue) {
@@ -105,7 +105,7 @@ TEST(PlyReader, ColoursOutOfRangeAreRefusedWithTheValue) {
                                   {"int", "256"},
                                   {"ushort", "-900"}}) {
     try {
-      read(redPly(type, red));
+      onlyPartOf(redPly(type, red));
       ADD_FAILURE() << type << " " << red;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kMalformed);
@@ -122,7 +122,7 @@ TEST(PlyReader, WindowsLineEndsAndAMissingLastOneAreAccepted) {
     text += c;
   }
   text.resize(text.size() - 2);
-  EXPECT_EQ(read(text).indices.size(), 6U);
+  EXPECT_EQ(onlyPartOf(text).indices.size(), 6U);
 }
 
 TEST(PlyReader, HostileFilesAreRefusedByCode) {
@@ -165,13 +165,13 @@ TEST(PlyReader, HostileFilesAreRefusedByCode) {
       {"unknown keyword", header("comment", "command"), ErrorCode::kMalformed},
   };
   for (const Case& c : cases)
-    EXPECT_EQ(codeOf([&] { read(c.text); }), c.code) << c.name;
+    EXPECT_EQ(codeOf([&] { onlyPartOf(c.text); }), c.code) << c.name;
 }
 
 /// Any damage gives an Error or a mesh that is in range; the sanitizer build watches the rest.
 void expectErrorOrValid(const std::string& text) {
   try {
-    const TriangleMesh mesh = read(text);
+    const TriangleMesh mesh = onlyPartOf(text);
     for (const std::uint32_t index : mesh.indices)
       ASSERT_LT(index, mesh.positions.size());
   } catch (const Error&) {
@@ -214,7 +214,7 @@ TEST(PlyReader, StripsBecomeTrianglesOfOneWinding) {
       "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n";
-  const TriangleMesh mesh = read(text);
+  const TriangleMesh mesh = onlyPartOf(text);
   ASSERT_EQ(mesh.indices.size(), 12U);
   for (std::size_t i = 0; i < 12; i += 3)
     EXPECT_GT(glm::cross(mesh.positions[mesh.indices[i + 1]] - mesh.positions[mesh.indices[i]],
@@ -223,7 +223,7 @@ TEST(PlyReader, StripsBecomeTrianglesOfOneWinding) {
               0.5F);
   std::string bad = text;
   bad.replace(bad.rfind("-1"), 2, "-2");
-  EXPECT_EQ(codeOf([&] { read(bad); }), ErrorCode::kMalformed);
+  EXPECT_EQ(codeOf([&] { onlyPartOf(bad); }), ErrorCode::kMalformed);
 }
 
 TEST(PlyReader, ColoursHaveOtherNamesToo) {
@@ -235,7 +235,7 @@ TEST(PlyReader, ColoursHaveOtherNamesToo) {
               (*prefix == '\0' ? std::string(channel).substr(0, 1) : channel) + "\n";
     text += "element face 1\nproperty list uchar int vertex_index\nend_header\n";
     text += "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n";
-    const TriangleMesh mesh = read(text);
+    const TriangleMesh mesh = onlyPartOf(text);
     ASSERT_EQ(mesh.colors.size(), 3U) << prefix;
     EXPECT_EQ(mesh.colors[1], glm::vec4(1, 0, 0, 1));
   }
@@ -243,7 +243,7 @@ TEST(PlyReader, ColoursHaveOtherNamesToo) {
 
 TEST(PlyReader, ConcavePolygonsKeepTheirArea) {
   std::string text = kHeader + "0 0 0\n2 0 0\n0.5 0.5 0\n0 2 0\n4 3 0 1 2\n";
-  EXPECT_NEAR(test::areaOf(read(text)), 1.0, 1e-6);
+  EXPECT_NEAR(test::areaOf(onlyPartOf(text)), 1.0, 1e-6);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 Sample sampleOf(std::uint32_t frame, std::size_t configuration, std::uint64_t triangles, double frameMs) {
   Sample sample;
@@ -171,9 +171,9 @@ TEST(Curve, PointsAreMeansOverTheKeptFrames) {
 
 TEST(Curve, PsnrIsThatOfTheMeanSquaredError) {
   Results results;
-  results.sweep = {sweepOf(0, 1.0F, 0, 1, {10.0, 1.0, 0.0}),      sweepOf(0, 1.0F, 1, 1, {30.0, 1.0, 0.0}),
-                   sweepOf(1, 1.0F, 0, 1, {30.0, 1.0, 0.0}),      sweepOf(1, 1.0F, 1, 1, {kInfinity, 1.0, 0.0}),
-                   sweepOf(2, 1.0F, 0, 1, {kInfinity, 1.0, 0.0}), sweepOf(2, 1.0F, 1, 1, {kInfinity, 1.0, 0.0})};
+  results.sweep = {sweepOf(0, 1.0F, 0, 1, {10.0, 1.0, 0.0}),       sweepOf(0, 1.0F, 1, 1, {30.0, 1.0, 0.0}),
+                   sweepOf(1, 1.0F, 0, 1, {30.0, 1.0, 0.0}),       sweepOf(1, 1.0F, 1, 1, {kUnbounded, 1.0, 0.0}),
+                   sweepOf(2, 1.0F, 0, 1, {kUnbounded, 1.0, 0.0}), sweepOf(2, 1.0F, 1, 1, {kUnbounded, 1.0, 0.0})};
   EXPECT_NEAR(curveOf(results, 0, 2).at(0).psnr, -10.0 * std::log10((0.1 + 0.001) / 2.0), 1e-9);
   EXPECT_NEAR(curveOf(results, 1, 2).at(0).psnr, 30.0 + 10.0 * std::log10(2.0), 1e-9);
   EXPECT_TRUE(std::isinf(curveOf(results, 2, 2).at(0).psnr));
@@ -257,8 +257,8 @@ TEST(FlipAtTriangles, IsTheInverseOfTrianglesAtFlipAndFallsAlongACurveThatFalls)
     triangles *= static_cast<double>(random.uniform(1.1F, 3.0F));
     flip *= static_cast<double>(random.uniform(0.3F, 0.9F));
   }
-  double lastFlip = kInfinity;
-  double lastTriangles = kInfinity;
+  double lastFlip = kUnbounded;
+  double lastTriangles = kUnbounded;
   for (double at = curve.front().triangles * 1.01; at < curve.back().triangles; at *= 1.07) {
     const std::optional<double> error = flipAtTriangles(curve, at);
     ASSERT_TRUE(error) << at;
@@ -394,9 +394,9 @@ TEST(SummaryJson, ButteraugliIsAMeanAndALargestFrameOrNull) {
 TEST(SummaryJson, PsnrOfEqualPicturesIsNull) {
   Results results = wholeResults();
   for (Sample& sample : results.samples)
-    if (sample.configuration == 0 || sample.frame > 0) sample.error = ImageError{kInfinity, 1.0, 0.0};
+    if (sample.configuration == 0 || sample.frame > 0) sample.error = ImageError{kUnbounded, 1.0, 0.0};
   for (SweepSample& sample : results.sweep)
-    if (sample.configuration == 0) sample.error = {kInfinity, 1.0, 0.0};
+    if (sample.configuration == 0) sample.error = {kUnbounded, 1.0, 0.0};
   const ordered_json summary = summaryOf(results, {"one", "two"});
   const ordered_json& equal = summary["configurations"][0]["error"]["psnr"];
   EXPECT_TRUE(equal["mean"].is_null());
@@ -708,7 +708,7 @@ TEST(SummaryText, NamesEveryConfiguration) {
 TEST(SummaryText, EqualPicturesAreCalledEqual) {
   Results results = wholeResults();
   for (Sample& sample : results.samples)
-    sample.error = ImageError{kInfinity, 1.0, 0.0};
+    sample.error = ImageError{kUnbounded, 1.0, 0.0};
   EXPECT_NE(summaryText(summaryOf(results, {"one", "two"})).find("equal"), std::string::npos);
   EXPECT_EQ(summaryText(summaryOf(wholeResults(), {"one", "two"})).find("equal"), std::string::npos);
 }

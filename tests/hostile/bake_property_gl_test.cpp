@@ -16,13 +16,13 @@
 #include "support/node.h"
 #include "support/rich_gltf.h"
 #include "support/run_program.h"
+#include "support/source_root.h"
 
 namespace jalousie {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 constexpr int kNoGpu = 9;
 
 std::uint32_t numberFrom(const char* variable, std::uint32_t fallback) {
@@ -56,7 +56,7 @@ class Property {
   /// Compares the errors that the validator finds in inputs and results. PLY and OBJ have none.
   void expectNoNewErrors() const {
     const std::optional<fs::path> node = test::findNode();
-    const fs::path validator = kRoot / "assets/fetched/gltf-validator";
+    const fs::path validator = test::kSourceRoot / "assets/fetched/gltf-validator";
     if (!node || !fs::exists(validator / "package.json"))
       GTEST_SKIP() << "the validator is not here; assets/fetch validator gets it from the npm registry";
     std::ofstream list(folder_ / "list");
@@ -65,9 +65,9 @@ class Property {
       list << output.string() << "\n";
     }
     list.close();
-    const test::ProgramResult checked = test::runProgram(
-        *node,
-        {(kRoot / "tests/hostile/validator_errors.mjs").string(), validator.string(), (folder_ / "list").string()});
+    const test::ProgramResult checked =
+        test::runProgram(*node, {(test::kSourceRoot / "tests/hostile/validator_errors.mjs").string(),
+                                 validator.string(), (folder_ / "list").string()});
     ASSERT_EQ(checked.exitCode, 0) << checked.standardError;
     const json errors = json::parse(checked.standardOutput);
     for (const auto& [input, output] : pairs_) {
@@ -230,7 +230,7 @@ TEST(BakeProperty, EveryFileOfTheHostileCorpus) {
   if (!node) GTEST_SKIP() << "Node.js is not installed; it makes the corpus";
   const test::TemporaryFolder corpus;
   const test::ProgramResult made =
-      test::runProgram(*node, {(kRoot / "tests/hostile/make_corpus.mjs").string(), corpus.path().string()});
+      test::runProgram(*node, {(test::kSourceRoot / "tests/hostile/make_corpus.mjs").string(), corpus.path().string()});
   ASSERT_EQ(made.exitCode, 0) << made.standardError;
   Property property;
   std::uint32_t baked = 0;

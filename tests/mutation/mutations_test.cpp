@@ -8,11 +8,12 @@
 #include <sstream>
 #include <string>
 
+#include "support/source_root.h"
+
 namespace jalousie {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 
 std::string textOf(const fs::path& file) {
   std::ostringstream text;
@@ -30,13 +31,13 @@ std::size_t countOf(const std::string& text, const std::string& part) {
 /// Every CMakeLists.txt below tests, which name the test programs.
 std::string testPrograms() {
   std::string text;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "tests"))
+  for (const fs::directory_entry& entry : fs::directory_iterator(test::kSourceRoot / "tests"))
     text += textOf(entry.path() / "CMakeLists.txt");
   return text;
 }
 
 TEST(Mutations, EachChangesOnePlaceAndNamesATestProgram) {
-  const nlohmann::json mutations = nlohmann::json::parse(textOf(kRoot / "tests/mutation/mutations.json"));
+  const nlohmann::json mutations = nlohmann::json::parse(textOf(test::kSourceRoot / "tests/mutation/mutations.json"));
   const std::string programs = testPrograms();
   std::set<std::string> names;
   for (const nlohmann::json& mutation : mutations) {
@@ -45,7 +46,7 @@ TEST(Mutations, EachChangesOnePlaceAndNamesATestProgram) {
     EXPECT_TRUE(names.insert(name).second) << "two mutations have this name";
     const std::string from = mutation.at("from");
     EXPECT_NE(from, mutation.at("to").get<std::string>());
-    EXPECT_EQ(countOf(textOf(kRoot / mutation.at("file").get<std::string>()), from), 1U) << from;
+    EXPECT_EQ(countOf(textOf(test::kSourceRoot / mutation.at("file").get<std::string>()), from), 1U) << from;
     EXPECT_EQ(countOf(programs, "jalousie_add_test(" + mutation.at("target").get<std::string>() + "\n"), 1U);
     EXPECT_FALSE(mutation.at("tests").get<std::string>().empty());
     EXPECT_FALSE(mutation.at("breaks").get<std::string>().empty());

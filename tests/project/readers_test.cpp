@@ -12,13 +12,13 @@
 #include "support/node.h"
 #include "support/run_program.h"
 #include "support/scenes.h"
+#include "support/source_root.h"
 
 namespace jalousie {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 
 class Readers : public testing::Test {
  protected:
@@ -28,14 +28,14 @@ class Readers : public testing::Test {
   }
   /// A package of assets/fetch; skips without it.
   std::string package(const std::string& name) const {
-    const fs::path folder = kRoot / "assets/fetched" / name;
+    const fs::path folder = test::kSourceRoot / "assets/fetched" / name;
     return fs::exists(folder) ? folder.string() : std::string();
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
   json run(const char* script, const std::string& folder, const fs::path& input) const {
     const test::ProgramResult result =
-        test::runProgram(*node_, {(kRoot / "tests/project" / script).string(), folder, input.string()});
+        test::runProgram(*node_, {(test::kSourceRoot / "tests/project" / script).string(), folder, input.string()});
     EXPECT_EQ(result.exitCode, 0) << input << result.standardError;
     return result.exitCode == 0 ? json::parse(result.standardOutput) : json();
   }

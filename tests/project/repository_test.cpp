@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "support/run_program.h"
+#include "support/source_root.h"
 
 namespace jalousie {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 
 bool isGenerated(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -17,7 +17,7 @@ bool isGenerated(const fs::path& path) {
 }
 
 TEST(Repository, HoldsNoFileOverOneMebibyte) {
-  for (auto it = fs::recursive_directory_iterator(kRoot); it != fs::recursive_directory_iterator(); ++it) {
+  for (auto it = fs::recursive_directory_iterator(test::kSourceRoot); it != fs::recursive_directory_iterator(); ++it) {
     if (isGenerated(it->path())) {
       it.disable_recursion_pending();
     } else if (it->is_regular_file()) {
@@ -30,16 +30,16 @@ TEST(Repository, ScriptsAreExecutable) {
   for (const char* script :
        {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh", "bench/bake_bench",
         "bench/bake_scene", "bench/place_models.mjs", "bench/prove", ".ci/run"})
-    EXPECT_NE(fs::status(kRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
+    EXPECT_NE(fs::status(test::kSourceRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
 }
 
 TEST(Repository, ScriptsExplainThemselvesAndRefuseUnknownOptions) {
   for (const char* script :
        {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/bake_scene", "bench/prove"}) {
-    EXPECT_EQ(test::runProgram(kRoot / script, {"--help"}).exitCode, 0) << script;
-    EXPECT_EQ(test::runProgram(kRoot / script, {"--no-such-option"}).exitCode, 2) << script;
+    EXPECT_EQ(test::runProgram(test::kSourceRoot / script, {"--help"}).exitCode, 0) << script;
+    EXPECT_EQ(test::runProgram(test::kSourceRoot / script, {"--no-such-option"}).exitCode, 2) << script;
   }
-  const test::ProgramResult dryRun = test::runProgram(kRoot / "scripts/setup", {"--dry-run"});
+  const test::ProgramResult dryRun = test::runProgram(test::kSourceRoot / "scripts/setup", {"--dry-run"});
   EXPECT_EQ(dryRun.exitCode, 0);
   EXPECT_NE(dryRun.standardOutput.find("setup: "), std::string::npos);
 }
@@ -48,7 +48,7 @@ TEST(Repository, UnreachableRegistryIsOneClearLine) {
   const test::TemporaryFolder folder;
   ::setenv("JALOUSIE_NPM_REGISTRY", "http://127.0.0.1:9", 1);
   const test::ProgramResult result =
-      test::runProgram(kRoot / "assets/fetch", {"--dest", folder.path().string(), "bunny"});
+      test::runProgram(test::kSourceRoot / "assets/fetch", {"--dest", folder.path().string(), "bunny"});
   ::unsetenv("JALOUSIE_NPM_REGISTRY");
   EXPECT_NE(result.exitCode, 0);
   EXPECT_NE(result.standardError.find("cannot reach the registry"), std::string::npos) << result.standardError;
@@ -56,7 +56,7 @@ TEST(Repository, UnreachableRegistryIsOneClearLine) {
 }
 
 TEST(Repository, HelpOfTheProvingTableHasExamplesAndNamesUnseenScenes) {
-  const std::string help = test::runProgram(kRoot / "bench/prove", {"--help"}).standardOutput;
+  const std::string help = test::runProgram(test::kSourceRoot / "bench/prove", {"--help"}).standardOutput;
   EXPECT_NE(help.find("Examples:\n"), std::string::npos) << help;
   const std::size_t unseen = help.find("not used for any choice");
   ASSERT_NE(unseen, std::string::npos) << help;

@@ -9,19 +9,19 @@
 #include "support/node.h"
 #include "support/run_program.h"
 #include "support/scenes.h"
+#include "support/source_root.h"
 
 namespace jalousie {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRoot = JALOUSIE_SOURCE_DIR;
 
 class Validator : public testing::Test {
  protected:
   void SetUp() override {
     node_ = test::findNode();
     if (!node_) GTEST_SKIP() << "Node.js is not installed";
-    if (!fs::exists(kRoot / "assets/fetched/gltf-validator/package.json"))
+    if (!fs::exists(test::kSourceRoot / "assets/fetched/gltf-validator/package.json"))
       GTEST_SKIP() << "the validator is not here; assets/fetch validator gets it from the npm registry";
     std::ofstream(folder_ / "ball.ply") << test::spherePly(32, 16);
     ASSERT_EQ(test::runProgram(JALOUSIE_BAKE_PROGRAM, {file("ball.ply"), "-o", file("ball.glb"), "--subdivide", "1"})
@@ -32,8 +32,8 @@ class Validator : public testing::Test {
 
   void expectNoErrors(const std::string& name) {
     const test::ProgramResult result =
-        test::runProgram(*node_, {(kRoot / "tests/project/validate.js").string(),
-                                  (kRoot / "assets/fetched/gltf-validator").string(), file(name)});
+        test::runProgram(*node_, {(test::kSourceRoot / "tests/project/validate.js").string(),
+                                  (test::kSourceRoot / "assets/fetched/gltf-validator").string(), file(name)});
     ASSERT_EQ(result.exitCode, 0) << result.standardError;
     const nlohmann::json issues = nlohmann::json::parse(result.standardOutput);
     EXPECT_EQ(issues["numErrors"], 0) << issues.dump(2);

@@ -7,7 +7,7 @@
 namespace jalousie::bake {
 namespace {
 
-constexpr std::uint32_t kNone = ~0U;
+constexpr std::uint32_t kNoWedge = ~0U;
 /// Least cosine between a triangle's normal before and after a collapse.
 constexpr double kLeastTurn = 0.25;
 
@@ -45,7 +45,7 @@ bool CollapseChecks::canJoin(std::uint32_t a, std::uint32_t b) const {
 
 bool CollapseChecks::gather(std::uint32_t u, std::uint32_t v, std::span<const std::uint32_t> singleWedge,
                             WedgeMerge& merge) {
-  if (singleWedge[u] != kNone && singleWedge[v] != kNone) {
+  if (singleWedge[u] != kNoWedge && singleWedge[v] != kNoWedge) {
     merge.wedges[0] = singleWedge[u];
     merge.wedges[1] = singleWedge[v];
     merge.group[0] = merge.group[1] = 0;

@@ -11,6 +11,7 @@
 #include "visibility/hiddenness.h"
 #include "visibility/lod_policy.h"
 #include "visibility/masking.h"
+#include "visibility/object_decision.h"
 #include "visibility/occlusion_map_pass.h"
 
 namespace jalousie::app {
@@ -149,12 +150,9 @@ std::string linearReason(const Inspection& i) {
       100.0F * visibility::hiddenShare(lv));
 }
 
-bool isDrawn(gpu::uint verdict) {
-  return verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall && verdict != gpu::kVerdictOccluded;
-}
-
 std::string whyText(const Inspection& i, const gpu::CullView& view) {
-  if (!isDrawn(i.readout.state.verdict)) return "The object is not drawn. The level is the one it would be drawn at.";
+  if (!visibility::isDrawn(i.readout.state))
+    return "The object is not drawn. The level is the one it would be drawn at.";
   const bool followsError = has(view.traits, gpu::kTraitFollowsError);
   if (!followsError && has(view.traits, gpu::kTraitFollowsLv)) return linearReason(i);
   if (!followsError) return "--lod finest draws every object at level 0.";

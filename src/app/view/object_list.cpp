@@ -6,13 +6,10 @@
 #include "app/shown_objects.h"
 #include "core/error.h"
 #include "scene/patch_base.h"
+#include "visibility/object_decision.h"
 
 namespace jalousie::app {
 namespace {
-
-bool isDrawn(gpu::uint verdict) {
-  return verdict != gpu::kVerdictOutside && verdict != gpu::kVerdictSmall && verdict != gpu::kVerdictOccluded;
-}
 
 /// Fills in what the last frame of a renderer decided.
 void addFrame(ObjectTable& table, Side& side, bool patches) {
@@ -23,7 +20,7 @@ void addFrame(ObjectTable& table, Side& side, bool patches) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     ListedObject& object = table.objects.at(scene.objects[i].owner);
     object.hidden = false;
-    object.drawn = isDrawn(states[i].verdict);
+    object.drawn = visibility::isDrawn(states[i]);
     if (!object.drawn) continue;
     const gpu::Chain& chain = scene.chains[object.chain];
     object.pixels = pixels[i];
