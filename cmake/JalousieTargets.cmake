@@ -22,7 +22,8 @@ target_compile_features(jalousie_options INTERFACE cxx_std_20)
 target_compile_options(jalousie_options INTERFACE -ffp-contract=off)
 if(JALOUSIE_SANITIZE)
   target_compile_options(jalousie_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)  # GCC finds false ones in code that is instrumented
   target_link_options(jalousie_options INTERFACE -fsanitize=address,undefined)
 endif()
 if(JALOUSIE_BUILD_FUZZERS)

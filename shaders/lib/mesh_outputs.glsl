@@ -1,6 +1,7 @@
 // Fills the fragment inputs from an object-space vertex; used by the plain vertex stage and by the patch stage.
 
 #include "lib/texture_coordinates.glsl"
+#include "lib/view_ray.glsl"
 
 out Fragment {
 #include "lib/fragment_members.glsl"
@@ -54,9 +55,8 @@ void emitVertex(uint entry, MeshVertex vertex) {
   fragment.positionWorld = transformPoint(transform, vertex.position);
 #ifdef JAL_OPACITY
   // A coarser level may lie in front of LOD 0. Move it away from the eye along the view ray: it covers the same pixels.
-  vec3 ray = drawView.forwardWorld.w == 0.0 ? fragment.positionWorld - drawView.cameraWorld.xyz
-                                            : drawView.forwardWorld.xyz;
-  fragment.positionWorld += drawView.depthGuard * ray;
+  fragment.positionWorld +=
+      drawView.depthGuard * viewRay(drawView.cameraWorld, drawView.forwardWorld, fragment.positionWorld);
 #endif
 #ifdef JAL_SHADED
   fragment.normalWorld = transformNormal(transform, vertex.normal);

@@ -9,6 +9,7 @@
 #include "lib/surface.glsl"
 #include "lib/palette.glsl"
 #include "lib/shading.glsl"
+#include "lib/view_ray.glsl"
 #ifdef JAL_FULL_MATERIALS
 #include "lib/normal_map.glsl"
 #endif
@@ -59,8 +60,7 @@ void main() {
   normal *= side;
   detailed *= side;
 #endif
-  vec3 toEye = drawView.forwardWorld.w == 0.0 ? normalize(drawView.cameraWorld.xyz - fragment.positionWorld)
-                                              : -drawView.forwardWorld.xyz;
+  vec3 toEye = -normalize(viewRay(drawView.cameraWorld, drawView.forwardWorld, fragment.positionWorld));
   vec3 color;
   if (!isShadedView(drawView.view))
     color = shadeFlat(fragment.tint, normal, toEye);

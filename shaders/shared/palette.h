@@ -38,6 +38,9 @@ const vec4 kColorGhostOccluded = vec4(0.90, 0.05, 0.45, 1.0);
 const vec4 kColorGhostSmall = vec4(0.90, 0.70, 0.05, 1.0);
 const vec4 kColorGhostOutside = vec4(0.25, 0.40, 0.65, 1.0);
 
+// Points and lines, which belong to no object.
+const vec4 kColorLoose = vec4(0.35, 0.35, 0.35, 1.0);
+
 // Bounding rectangles, by the verdict.
 const vec4 kColorBoxOccluded = vec4(0.80, 0.03, 0.03, 1.0);
 const vec4 kColorBoxPartial = vec4(0.90, 0.60, 0.02, 1.0);

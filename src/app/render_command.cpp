@@ -60,6 +60,8 @@ void render(const RenderOptions& options) {
     return captureFrame(options, renderer, context.capabilities(), cameras,
                         [&](std::uint32_t frame) { progress.update(frame); });
   }();
+  report.points = scene.loose.points();
+  report.segments = scene.loose.segments();
   report.ignored = scene.ignored;
   if (!options.quiet) warnIgnored(options.scene, scene.ignored);
   if (rowOf(options.frameOptions.detail).patches)

@@ -64,6 +64,8 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
+  json["points"] = report.points;
+  json["segments"] = report.segments;
   json["ignored"] = nlohmann::ordered_json(report.ignored);
   json["timing"] = report.gpuTiming ? "gpu" : "wall";
   json["passes"] = nlohmann::ordered_json::object();
@@ -88,6 +90,8 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   if (s.cells > 0) text += fmt::format("  cells     {:>13}   drawn {}\n", grouped(s.cells), grouped(s.cellsDrawn));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
+  if (report.points + report.segments > 0)
+    text += fmt::format("  points    {:>13}   line segments {}\n", grouped(report.points), grouped(report.segments));
   text += tessellates(options) ? "  levels 1.." : "  LOD 0..";
   text += fmt::format(" {}\n", fmt::join(s.lodHistogram, " "));
   text += fmt::format("  time {:.1f} ms:", report.times.frameMs);

@@ -1,6 +1,7 @@
 // Statistics and times of a rendered frame, as JSON with fixed keys and as text for a terminal.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
@@ -24,6 +25,8 @@ struct RenderReport {
   bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
+  std::uint32_t points = 0;           ///< of the scene: all are drawn in every frame
+  std::uint32_t segments = 0;         ///< the same for line segments
   asset::ContentCounts ignored;       ///< what the scene's file holds that is not drawn
   std::uint32_t maxTessellation = 0;  ///< finest level in use; drivers can force a lower one than the option asks for
 };

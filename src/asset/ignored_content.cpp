@@ -88,7 +88,6 @@ class Counter {
   void countMesh(const tinygltf::Mesh& mesh) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       countExtensions(primitive.extensions);
-      countIf(primitive.mode >= 0 && primitive.mode < TINYGLTF_MODE_TRIANGLES, "primitives of points and lines");
     }
     countExtensions(mesh.extensions);
   }
@@ -120,7 +119,7 @@ class Counter {
     }
   }
 
-  /// Channels that move something else than a perspective camera.
+  /// Channels that move something else than a camera.
   void countAnimation(const tinygltf::Animation& animation) {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       if (channel.target_node < 0) continue;  // counted as KHR_animation_pointer
@@ -147,7 +146,7 @@ class Counter {
     for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
       const tinygltf::Node& node = model_.nodes[n];
       if (node.mesh >= 0) markUpwards(static_cast<int>(n), carriesMesh_);
-      if (node.camera < 0 || model_.cameras[static_cast<std::size_t>(node.camera)].type != "perspective") continue;
+      if (node.camera < 0) continue;
       markUpwards(static_cast<int>(n), carriesCamera_);
       markUpwards(parents_[n], isAboveCamera_);
     }
@@ -159,7 +158,7 @@ class Counter {
   const tinygltf::Model& model_;
   bool isTimed_;
   std::vector<int> parents_;         ///< of each node; -1: none
-  std::vector<bool> carriesCamera_;  ///< the node or one below it is a perspective camera
+  std::vector<bool> carriesCamera_;  ///< the node or one below it is a camera
   std::vector<bool> isAboveCamera_;  ///< one below it is
   std::vector<bool> carriesMesh_;    ///< the node or one below it shows a mesh or is a joint
   ContentCounts counts_;

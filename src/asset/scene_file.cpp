@@ -85,7 +85,7 @@ class SceneReader {
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, worldFromNode, isInGroup});
     }
-    detail::placeNearOrigin(scene_, places_);
+    detail::placeNearOrigin(scene_, {places_, loosePlaces_});
     return std::move(scene_);
   }
 
@@ -122,6 +122,15 @@ class SceneReader {
     if (!isFinite(worldFromNode))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform is not finite", visit.node));
     if (node.camera >= 0) scene_.cameras.push_back(cameras_.read(visit.node, visit.worldFromParent, worldFromNode));
+    const std::size_t before = scene_.instances.size();
+    readTriangles(visit, worldFromNode);
+    const bool isOne = isLodGroup(model_, visit.node);  // the instance is that of the whole group
+    if (node.mesh >= 0)
+      addLoose(visit.node, node.skin >= 0 ? glm::dmat4(1.0) : worldFromNode, isOne ? scene_.instances.size() : before);
+  }
+
+  void readTriangles(const Visit& visit, const glm::dmat4& worldFromNode) {
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
     if (visit.isInGroup) return;
     if (isLodGroup(model_, visit.node)) {
       const std::optional<std::uint32_t> group = groupChainOf(visit.node, worldFromNode);
@@ -269,6 +278,40 @@ class SceneReader {
     }
   }
 
+  /// Adds the points and lines of a node's mesh. @param first  the instance that the node's first one is, if it has any
+  void addLoose(int node, const glm::dmat4& worldFromNode, std::size_t first) {
+    const std::optional<std::uint32_t> geometry = looseGeometry(shownMesh(model_, node));
+    if (!geometry) return;
+    const LooseGeometry& shown = scene_.looseGeometries[*geometry];
+    const InstanceTransforms instances = readInstances(model_, node, limits_);
+    for (std::uint64_t i = 0; i < std::max<std::uint64_t>(instances.count, 1); ++i) {
+      budget_.take(shown.points.size() + shown.lines.size());  // each instance gets vertices of its own
+      if (keep_ != Keep::kAll) continue;
+      const glm::dmat4 world = instances.count > 0 ? worldFromNode * instances.nodeFromInstance(i) : worldFromNode;
+      if (!isFinite(glm::dmat4(glm::mat4(world))))
+        throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
+      std::optional<std::uint32_t> instance;
+      if (first + i < scene_.instances.size()) instance = static_cast<std::uint32_t>(first + i);
+      scene_.looseInstances.push_back({*geometry, glm::mat4(world), instance});
+      loosePlaces_.emplace_back(world[3]);
+    }
+  }
+
+  /// Reads the points and lines of a mesh at its first use; nullopt if it has none.
+  std::optional<std::uint32_t> looseGeometry(const ShownMesh& shown) {
+    const auto known = looseIndex_.find(shown);
+    if (known != looseIndex_.end()) return known->second;
+    std::optional<std::uint32_t> index;
+    if (detail::hasLooseGeometry(model_.meshes[static_cast<std::size_t>(shown.mesh)])) {
+      const detail::MeshPose pose = shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode) : detail::MeshPose{};
+      index = static_cast<std::uint32_t>(scene_.looseGeometries.size());
+      scene_.looseGeometries.push_back(
+          detail::readLooseGeometry(model_, shown.mesh, {scene_.materials, budget_, pose}));
+    }
+    looseIndex_.emplace(shown, index);
+    return index;
+  }
+
   /// The node whose instances come next.
   void beginNode(int node) {
     if (keep_ == Keep::kAll) scene_.nodeNames.edit().push_back(model_.nodes[static_cast<std::size_t>(node)].name);
@@ -293,8 +336,10 @@ class SceneReader {
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
   std::vector<glm::dvec3> places_;                            ///< of the instances' origins
+  std::vector<glm::dvec3> loosePlaces_;                       ///< the same for points and lines
   std::map<std::pair<int, bool>, std::uint32_t> imageIndex_;  ///< by picture and TextureReference::isData
   std::map<ShownMesh, std::optional<PosedMesh>> meshes_;
+  std::map<ShownMesh, std::optional<std::uint32_t>> looseIndex_;
   std::map<ChainKey<ShownMesh>, std::optional<std::uint32_t>> chainIndex_;
   std::map<detail::GroupLevel, GroupMesh> groupMeshes_;
   std::map<ChainKey<detail::GroupLevel>, std::optional<std::uint32_t>> groupIndex_;

@@ -1,11 +1,13 @@
-// Primitives to triangle lists: indices, strips and fans, missing normals, checks for finite values.
+// Primitives to lists of triangles, segments and points: indices, strips, missing normals, checks for finite values.
 #include "asset/scene_mesh.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
@@ -74,17 +76,20 @@ std::vector<std::uint32_t> fanTriangles(const std::vector<std::uint32_t>& fan) {
   return triangles;
 }
 
-std::vector<std::uint32_t> readTriangles(const Source& source, ElementBudget& budget) {
-  std::vector<std::uint32_t> indices;
+/// The vertices of a primitive in the order in which it uses them.
+std::vector<std::uint32_t> readElements(const Source& source, ElementBudget& budget) {
   if (source.primitive.indices >= 0) {
     const std::uint64_t count = source.count(source.primitive.indices);
     budget.take(count);
-    indices =
-        readIndices(source.model, source.primitive.indices, static_cast<std::uint32_t>(source.vertexCount), count);
-  } else {
-    indices.resize(source.vertexCount);
-    std::iota(indices.begin(), indices.end(), 0U);
+    return readIndices(source.model, source.primitive.indices, static_cast<std::uint32_t>(source.vertexCount), count);
   }
+  std::vector<std::uint32_t> indices(source.vertexCount);
+  std::iota(indices.begin(), indices.end(), 0U);
+  return indices;
+}
+
+std::vector<std::uint32_t> readTriangles(const Source& source, ElementBudget& budget) {
+  std::vector<std::uint32_t> indices = readElements(source, budget);
   if (source.primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return stripTriangles(indices);
   if (source.primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return fanTriangles(indices);
   indices.resize(indices.size() / 3 * 3);
@@ -116,31 +121,40 @@ void makeFlat(Primitive& primitive) {
   primitive = std::move(flat);
 }
 
-Primitive readPrimitive(Source source, const MeshContext& context) {
-  ElementBudget& budget = context.budget;
-  const int position = source.accessor("POSITION");
-  source.vertexCount = source.count(position);
+void countVertices(Source& source, ElementBudget& budget) {
+  source.vertexCount = source.count(source.accessor("POSITION"));
   budget.take(source.vertexCount);
   if (source.vertexCount > 0xFFFFFFFFULL) throw Error(ErrorCode::kLimit, "more than 2^32 vertices");
+}
 
-  Primitive primitive;
-  primitive.material =
-      static_cast<std::uint32_t>(source.primitive.material >= 0 ? static_cast<std::size_t>(source.primitive.material)
-                                                                : context.materials.size() - 1);
-  primitive.indices = readTriangles(source, budget);
-  if (primitive.indices.empty()) return primitive;
-  const bool flat = source.accessor("NORMAL") < 0;
-  if (flat) budget.take(primitive.indices.size());
+std::uint32_t materialOf(const Source& source, const MeshContext& context) {
+  const int material = source.primitive.material;
+  return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material) : context.materials.size() - 1);
+}
+
+/// Reads the attributes of a primitive and bends them. Normals stay empty where the file has none, and are not unit.
+void readAttributes(const Source& source, const MeshContext& context, Primitive& primitive) {
   primitive.positions = attribute<glm::vec3>(source, "POSITION", {}, readVec3);
   primitive.uvs = attribute<glm::vec2>(source, "TEXCOORD_0", glm::vec2(0.0F), readVec2);
   if (usesSecondUvs(context.materials[primitive.material]))
     primitive.uvs1 = attribute<glm::vec2>(source, "TEXCOORD_1", glm::vec2(0.0F), readVec2);
   primitive.colors = attribute<glm::vec4>(source, "COLOR_0", glm::vec4(1.0F), readVec4);
-  if (!flat) primitive.normals = attribute<glm::vec3>(source, "NORMAL", {}, readVec3);
-  if (!context.pose.isRest()) {
-    applyPose(source.model, source.primitive, context.pose, budget, {primitive.positions, primitive.normals});
-    requireFinite(primitive.positions, source.mesh, "a pose is not finite");
-  }
+  if (source.accessor("NORMAL") >= 0) primitive.normals = attribute<glm::vec3>(source, "NORMAL", {}, readVec3);
+  if (context.pose.isRest()) return;
+  applyPose(source.model, source.primitive, context.pose, context.budget, {primitive.positions, primitive.normals});
+  requireFinite(primitive.positions, source.mesh, "a pose is not finite");
+}
+
+Primitive readPrimitive(Source source, const MeshContext& context) {
+  ElementBudget& budget = context.budget;
+  countVertices(source, budget);
+  Primitive primitive;
+  primitive.material = materialOf(source, context);
+  primitive.indices = readTriangles(source, budget);
+  if (primitive.indices.empty()) return primitive;
+  const bool flat = source.accessor("NORMAL") < 0;
+  if (flat) budget.take(primitive.indices.size());
+  readAttributes(source, context, primitive);
   if (flat) {
     makeFlat(primitive);
     return primitive;
@@ -148,6 +162,38 @@ Primitive readPrimitive(Source source, const MeshContext& context) {
   for (glm::vec3& normal : primitive.normals)
     normal = unitOr(normal, glm::vec3(0.0F, 0.0F, 1.0F));
   return primitive;
+}
+
+/// Pairs of vertices of the segments that lines, a strip or a loop consist of.
+std::vector<std::uint32_t> segmentsOf(std::vector<std::uint32_t> elements, int mode) {
+  if (mode == TINYGLTF_MODE_LINE) {
+    elements.resize(elements.size() / 2 * 2);
+    return elements;
+  }
+  std::vector<std::uint32_t> segments;
+  for (std::size_t i = 0; i + 1 < elements.size(); ++i)
+    segments.insert(segments.end(), {elements[i], elements[i + 1]});
+  if (mode == TINYGLTF_MODE_LINE_LOOP && elements.size() > 1)
+    segments.insert(segments.end(), {elements.back(), elements.front()});
+  return segments;
+}
+
+/// Adds a primitive of points or lines.
+void addLoose(Source source, const MeshContext& context, LooseGeometry& geometry) {
+  countVertices(source, context.budget);
+  std::vector<std::uint32_t> elements = readElements(source, context.budget);
+  const int mode = source.primitive.mode;
+  context.budget.take(looseVertexCount(source.primitive, elements.size()));
+  if (mode != TINYGLTF_MODE_POINTS) elements = segmentsOf(std::move(elements), mode);
+  Primitive primitive;
+  primitive.material = materialOf(source, context);
+  readAttributes(source, context, primitive);
+  std::vector<LooseVertex>& vertices = mode == TINYGLTF_MODE_POINTS ? geometry.points : geometry.lines;
+  for (const std::uint32_t v : elements) {
+    const glm::vec3 normal =
+        primitive.normals.empty() ? glm::vec3(0.0F) : unitOr(primitive.normals[v], glm::vec3(0.0F));
+    vertices.push_back({primitive.positions[v], normal, primitive.uvs[v], primitive.colors[v], primitive.material});
+  }
 }
 
 /// What Primitive::cellEnds holds.
@@ -181,6 +227,27 @@ Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context
     result.primitives.push_back(std::move(read));
   }
   return result;
+}
+
+bool isLoose(const tinygltf::Primitive& primitive) {
+  return primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES &&
+         primitive.attributes.contains("POSITION");
+}
+
+bool hasLooseGeometry(const tinygltf::Mesh& mesh) {
+  return std::any_of(mesh.primitives.begin(), mesh.primitives.end(), isLoose);
+}
+
+std::uint64_t looseVertexCount(const tinygltf::Primitive& primitive, std::uint64_t elements) {
+  const bool isJoined = primitive.mode == TINYGLTF_MODE_LINE_STRIP || primitive.mode == TINYGLTF_MODE_LINE_LOOP;
+  return isJoined ? 2 * elements : elements;
+}
+
+LooseGeometry readLooseGeometry(const tinygltf::Model& model, int mesh, const MeshContext& context) {
+  LooseGeometry geometry;
+  for (const tinygltf::Primitive& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives)
+    if (isLoose(primitive)) addLoose({model, primitive, mesh}, context, geometry);
+  return geometry;
 }
 
 }  // namespace jalousie::asset::detail

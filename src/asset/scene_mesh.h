@@ -23,4 +23,13 @@ struct MeshContext {
 /// Errors: kMalformed, kLimit.
 Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context);
 
+/// Whether a mesh has points or lines.
+bool hasLooseGeometry(const tinygltf::Mesh& mesh);
+/// Whether a primitive is points or lines.
+bool isLoose(const tinygltf::Primitive& primitive);
+/// Vertices that a primitive of points or lines becomes. @param elements  its indices, or its vertices
+std::uint64_t looseVertexCount(const tinygltf::Primitive& primitive, std::uint64_t elements);
+/// Reads the points and lines of a mesh. Errors: kMalformed, kLimit.
+LooseGeometry readLooseGeometry(const tinygltf::Model& model, int mesh, const MeshContext& context);
+
 }  // namespace jalousie::asset::detail

@@ -1,6 +1,7 @@
 // The middle of the scene's box, in double precision, rounded to whole units.
 #include "asset/scene_origin.h"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -20,42 +21,63 @@ Aabb boundsOf(const Mesh& mesh) {
   return box;
 }
 
+Aabb boundsOf(const LooseGeometry& geometry) {
+  Aabb box;
+  for (const std::vector<LooseVertex>& vertices : {std::cref(geometry.points), std::cref(geometry.lines)})
+    for (const LooseVertex& vertex : vertices)
+      box.add(vertex.position);
+  return box;
+}
+
 /// A box in double precision.
 struct Extent {
   glm::dvec3 min{std::numeric_limits<double>::infinity()};
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
 
+  /// @param place  the origin of worldFromObject
+  void add(const Aabb& box, const glm::mat4& worldFromObject, const glm::dvec3& place) {
+    const glm::dmat3 axes{glm::mat3(worldFromObject)};
+    const glm::dvec3 middle = place + axes * glm::dvec3(box.center());
+    const glm::dvec3 half = 0.5 * glm::dvec3(box.extent());
+    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    min = glm::min(min, middle - reach);
+    max = glm::max(max, middle + reach);
+  }
   glm::dvec3 center() const { return 0.5 * (min + max); }
   /// Also false for an empty box, and for one that is not finite.
   bool isFar() const { return glm::length(center()) > kFarDiagonals * glm::length(max - min); }
 };
 
-Extent extentOf(const SceneFile& scene, std::span<const glm::dvec3> places) {
+Extent extentOf(const SceneFile& scene, const Places& places) {
   std::vector<Aabb> boxes;  // of the finest levels
   for (const Chain& chain : scene.chains)
     boxes.push_back(boundsOf(scene.meshes[chain.levels.front().mesh]));
+  std::vector<Aabb> looseBoxes;
+  for (const LooseGeometry& geometry : scene.looseGeometries)
+    looseBoxes.push_back(boundsOf(geometry));
   Extent extent;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Aabb& box = boxes[scene.instances[i].chain];
-    const glm::dmat3 axes(glm::mat3(scene.instances[i].worldFromObject));
-    const glm::dvec3 middle = places[i] + axes * glm::dvec3(box.center());
-    const glm::dvec3 half = 0.5 * glm::dvec3(box.extent());
-    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
-    extent.min = glm::min(extent.min, middle - reach);
-    extent.max = glm::max(extent.max, middle + reach);
+  for (std::size_t i = 0; i < places.instances.size(); ++i)
+    extent.add(boxes[scene.instances[i].chain], scene.instances[i].worldFromObject, places.instances[i]);
+  for (std::size_t i = 0; i < places.looseInstances.size(); ++i) {
+    const LooseInstance& loose = scene.looseInstances[i];
+    if (!looseBoxes[loose.geometry].empty())
+      extent.add(looseBoxes[loose.geometry], loose.worldFromObject, places.looseInstances[i]);
   }
   return extent;
 }
 
 }  // namespace
 
-void placeNearOrigin(SceneFile& scene, std::span<const glm::dvec3> places) {
-  JAL_CHECK(places.size() == scene.instances.size());
+void placeNearOrigin(SceneFile& scene, const Places& places) {
+  JAL_CHECK(places.instances.size() == scene.instances.size());
+  JAL_CHECK(places.looseInstances.size() == scene.looseInstances.size());
   const Extent extent = extentOf(scene, places);
-  if (places.empty() || !extent.isFar()) return;
+  if (!extent.isFar()) return;
   scene.originWorld = glm::round(extent.center());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    scene.instances[i].worldFromObject[3] = glm::vec4(places[i] - scene.originWorld, 1.0);
+  for (std::size_t i = 0; i < places.instances.size(); ++i)
+    scene.instances[i].worldFromObject[3] = glm::vec4(places.instances[i] - scene.originWorld, 1.0);
+  for (std::size_t i = 0; i < places.looseInstances.size(); ++i)
+    scene.looseInstances[i].worldFromObject[3] = glm::vec4(places.looseInstances[i] - scene.originWorld, 1.0);
   const glm::dvec4 offset(scene.originWorld, 0.0);
   for (Camera& camera : scene.cameras) {
     camera.worldFromCamera[3] -= offset;

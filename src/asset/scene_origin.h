@@ -8,10 +8,15 @@
 
 namespace jalousie::asset::detail {
 
+/// Exact world positions of what a scene places.
+struct Places {
+  std::span<const glm::dvec3> instances;       ///< origins of SceneFile::instances
+  std::span<const glm::dvec3> looseInstances;  ///< origins of SceneFile::looseInstances
+};
+
 /// Places instances and cameras relative to the middle of a scene that is more than 16 of its diagonals away from the
 /// document's origin, and sets SceneFile::originWorld. A float has 24 digits: at a distance of 10^6 it knows places to
 /// 1/16. Other scenes stay as they are.
-/// @param places  [instances] exact world positions of the instances' origins
-void placeNearOrigin(SceneFile& scene, std::span<const glm::dvec3> places);
+void placeNearOrigin(SceneFile& scene, const Places& places);
 
 }  // namespace jalousie::asset::detail

@@ -19,6 +19,7 @@
 #include "asset/mesh_pose.h"
 #include "asset/node_graph.h"
 #include "asset/scene_material.h"
+#include "asset/scene_mesh.h"
 #include "core/memory_estimate.h"
 
 namespace jalousie::asset {
@@ -96,6 +97,7 @@ class Counter {
       ++size_.cameras;
       cameraNodes_.insert(node);
     }
+    if (source.mesh >= 0) countLoose(node, model_.meshes[static_cast<std::size_t>(source.mesh)]);
     if (visit.isInGroup) return;
     if (isLodGroup(model_, node)) return countGroup(node);
     if (source.mesh < 0) return;
@@ -104,6 +106,18 @@ class Counter {
     size_.instances += instances;
     const auto finest = meshes_.find(shownMesh(model_, node));
     size_.finestTriangles += saturatingProduct(instances, finest->second.indices / 3);
+  }
+
+  /// Each instance gets vertices of its own.
+  void countLoose(int node, const tinygltf::Mesh& mesh) {
+    if (!detail::hasLooseGeometry(mesh)) return;
+    const std::uint64_t instances = std::max<std::uint64_t>(countInstances(model_, node, limits_), 1);
+    addProduct(instances, 1, size_.looseInstances);
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      if (!detail::isLoose(primitive)) continue;
+      const int accessor = primitive.indices >= 0 ? primitive.indices : primitive.attributes.at("POSITION");
+      addProduct(instances, detail::looseVertexCount(primitive, elements(accessor)), size_.looseVertices);
+    }
   }
 
   /// Chains of equal meshes are one.

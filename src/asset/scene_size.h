@@ -20,7 +20,9 @@ struct SceneSize {
   std::uint64_t vertices = 0;   ///< of all meshes, each once; an own one per corner where a primitive has no normals
   std::uint64_t secondUvs = 0;  ///< vertices, if some texture is read by TEXCOORD_1
   std::uint64_t indices = 0;
-  std::uint64_t cellEnds = 0;  ///< of all primitives
+  std::uint64_t looseVertices = 0;   ///< points and ends of lines, of all nodes
+  std::uint64_t looseInstances = 0;  ///< of nodes with points or lines
+  std::uint64_t cellEnds = 0;        ///< of all primitives
   std::uint64_t chains = 0;
   std::uint64_t levels = 0;            ///< of all chains
   std::uint64_t coarsestVertices = 0;  ///< of the last level of each chain

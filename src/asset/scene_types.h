@@ -68,7 +68,7 @@ inline bool usesSecondUvs(const Material& material) {
 }
 
 /// Triangles of one material. Attribute vectors have positions.size() elements; indices are in range, three per
-/// triangle. Triangle strips and fans are converted; points and lines are left out.
+/// triangle. Triangle strips and fans are converted; points and lines are LooseGeometry.
 struct Primitive {
   std::vector<glm::vec3> positions;  ///< object space
   /// Unit. If the file has none, one normal per face, as glTF requires; the vertices are then not shared.
@@ -87,6 +87,28 @@ struct Primitive {
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
+};
+
+/// A point, or an end of a line segment.
+struct LooseVertex {
+  glm::vec3 position;
+  glm::vec3 normal;            ///< unit; 0 if the file has none: it is not lit (glTF 2.0, 3.9.6)
+  glm::vec2 uv;                ///< TEXCOORD_0; 0 if absent
+  glm::vec4 color;             ///< COLOR_0, linear; 1 if absent
+  std::uint32_t material = 0;  ///< index into SceneFile::materials
+};
+
+/// What a mesh shows beside its triangles, object space. Strips and loops of lines are converted to segments.
+struct LooseGeometry {
+  std::vector<LooseVertex> points;
+  std::vector<LooseVertex> lines;  ///< two for each segment
+};
+
+/// Loose geometry that a node shows.
+struct LooseInstance {
+  std::uint32_t geometry = 0;  ///< index into SceneFile::looseGeometries
+  glm::mat4 worldFromObject{1.0F};
+  std::optional<std::uint32_t> instance;  ///< of the triangles of the same mesh; absent if it has none
 };
 
 struct LodLevel {
@@ -139,9 +161,11 @@ struct SceneFile {
   std::vector<Material> materials;  ///< never empty
   std::vector<Mesh> meshes;         ///< only meshes that a chain uses
   std::vector<Chain> chains;
-  std::vector<Instance> instances;      ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
-  SharedVector<std::string> nodeNames;  ///< of the nodes with a mesh, in order of traversal; empty where unnamed
-  std::vector<Camera> cameras;          ///< cameras in the scene, in order of traversal
+  std::vector<Instance> instances;             ///< in order of depth-first traversal; EXT_mesh_gpu_instancing expanded
+  std::vector<LooseGeometry> looseGeometries;  ///< of LOD 0 of nodes, whatever level is drawn
+  std::vector<LooseInstance> looseInstances;   ///< in order of traversal
+  SharedVector<std::string> nodeNames;         ///< of the nodes with a mesh, in order of traversal; empty where unnamed
+  std::vector<Camera> cameras;                 ///< cameras in the scene, in order of traversal
   /// Point of the document that all instances and cameras are placed relative to: 0, or the middle of a scene that is
   /// far from the document's origin, where a float has too few digits.
   glm::dvec3 originWorld{0.0};

@@ -6,17 +6,21 @@
 namespace jalousie::render {
 namespace {
 
+/// A program that reads materials.
+gl::Program makeProgram(unsigned id, const DrawFeatures& features, const gl::ShaderLibrary& shaders) {
+  gl::ProgramSource source = programTable()[id];
+  if (features.capabilities.drawParameters) source = gl::withDefine(source, kDrawParametersDefine);
+  if (features.fullMaterials) source = gl::withDefine(source, kFullMaterialsDefine);
+  return gl::Program(gl::withDefine(source, textureClassesDefine(features.textureClasses)), shaders);
+}
+
 /// Consecutive programs of the table.
 template <std::size_t kCount>
 std::array<gl::Program, kCount> makePrograms(ProgramId first, const DrawFeatures& features,
                                              const gl::ShaderLibrary& shaders) {
   std::array<gl::Program, kCount> programs;
-  for (unsigned i = 0; i < programs.size(); ++i) {
-    gl::ProgramSource source = programTable()[static_cast<unsigned>(first) + i];
-    if (features.capabilities.drawParameters) source = gl::withDefine(source, kDrawParametersDefine);
-    if (features.fullMaterials) source = gl::withDefine(source, kFullMaterialsDefine);
-    programs[i] = gl::Program(gl::withDefine(source, textureClassesDefine(features.textureClasses)), shaders);
-  }
+  for (unsigned i = 0; i < programs.size(); ++i)
+    programs[i] = makeProgram(static_cast<unsigned>(first) + i, features, shaders);
   return programs;
 }
 
@@ -28,6 +32,7 @@ DrawPass::DrawPass(const DrawFeatures& features, const gl::ShaderLibrary& shader
       opacity_(makePrograms<4>(ProgramId::kOpacitySolid, features, shaders)),
       id_(makePrograms<4>(ProgramId::kIdSolid, features, shaders)),
       density_(makePrograms<2>(ProgramId::kDensity, features, shaders)),
+      loose_(features.loose ? makeProgram(static_cast<unsigned>(ProgramId::kLoose), features, shaders) : gl::Program()),
       mapView_(programSource(ProgramId::kMapView), shaders),
       depthView_(programSource(ProgramId::kDepthView), shaders),
       overdrawView_(programSource(ProgramId::kOverdrawView), shaders),
@@ -89,6 +94,16 @@ void DrawPass::submit(GLenum primitive, const visibility::DrawList& list, unsign
   glMultiDrawElementsIndirectCountARB(primitive, GL_UNSIGNED_INT, commands,
                                       static_cast<GLintptr>(sizeof(gpu::uint) * index), count, 0);
   glBindBuffer(GL_PARAMETER_BUFFER_ARB, 0);
+}
+
+void DrawPass::drawLoose(const SceneBuffers& scene) const {
+  if (scene.looseLineVertices() + scene.loosePoints() == 0) return;
+  view_.bindUniform(gpu::kBindingDrawView);
+  scene.bindForLoose();
+  loose_.use();
+  const auto lineVertices = static_cast<GLsizei>(scene.looseLineVertices());
+  if (lineVertices > 0) glDrawArrays(GL_LINES, 0, lineVertices);
+  if (scene.loosePoints() > 0) glDrawArrays(GL_POINTS, lineVertices, static_cast<GLsizei>(scene.loosePoints()));
 }
 
 void DrawPass::drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const {

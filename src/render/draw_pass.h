@@ -28,6 +28,7 @@ struct DrawFeatures {
   const gl::Capabilities& capabilities;
   std::uint32_t textureClasses = 1;  ///< SceneBuffers::textureClasses
   bool fullMaterials = false;        ///< SceneData::usesFullMaterials
+  bool loose = false;                ///< the scene has points or lines
 };
 
 /// The programs of all lists, and the loop over them.
@@ -40,6 +41,8 @@ class DrawPass {
   /// Draws one part of a list's objects into the bound framebuffer.
   void draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
             const visibility::ObjectBuffers& decided) const;
+  /// Draws all points and lines of a scene into the bound framebuffer.
+  void drawLoose(const SceneBuffers& scene) const;
   /// Outlines the rectangle of every object. @param decided  of the frame
   void drawBoxes(std::uint32_t objectCount, const visibility::ObjectBuffers& decided) const;
   /// Shows how many surfaces lie on a pixel. @param halvings  2^-surfaces
@@ -60,6 +63,7 @@ class DrawPass {
   Programs opacity_;
   Programs id_;
   std::array<gl::Program, 2> density_;  ///< triangles, patches; for solid surfaces and sheets
+  gl::Program loose_;                   ///< points and lines; made only where the scene has any
   gl::Program mapView_;
   gl::Program depthView_;
   gl::Program overdrawView_;

@@ -1,4 +1,4 @@
-// Order of the draws: opaque surfaces of both phases, blended ones, then what the view adds.
+// Order of the draws: opaque surfaces of both phases, blended ones, points and lines, then what the view adds.
 #include "render/frame_drawing.h"
 
 namespace jalousie::render {
@@ -40,6 +40,7 @@ void FrameDrawing::drawObjects(const gl::Framebuffer& target, bool earlyIsThere)
   frame_.drawList(DrawKind::kShaded, DrawPart::kOpaque, frame_.late);
   if (twoPhases()) frame_.drawList(DrawKind::kShaded, DrawPart::kBlended, frame_.early);
   frame_.drawList(DrawKind::kShaded, DrawPart::kBlended, frame_.late);
+  frame_.draw.drawLoose(frame_.scene);
   glDisable(GL_DEPTH_TEST);
 }
 

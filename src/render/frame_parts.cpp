@@ -51,7 +51,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
-      draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials}, shaders),
+      draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
       methods({scene, capabilities, shaders}),
       context{cullView, drawView, counting, timer, buffers, visibility, budget,
               lists,    early,    late,     draw,  targets, map,        pyramid},

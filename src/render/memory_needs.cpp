@@ -42,6 +42,7 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
   needs.add(vertices, sizeof(scene::Vertex), counted(vertices, "vertices"));
   needs.add(size.secondUvs > 0 ? vertices : 0, sizeof(glm::vec2), counted(vertices, "second texture coordinates"));
   needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
+  needs.add(size.looseVertices, sizeof(scene::Vertex), counted(size.looseVertices, "points and ends of lines"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   // Two bins per level: a command in every list and a count per tile, of which a chain has one for 64 objects.
   const std::uint64_t commands = kLists * (patches ? gpu::kListCount : gpu::kListsPerDetail);

@@ -52,6 +52,7 @@ std::span<const gl::ProgramSource> programTable() {
        {"render/patch.vert", "render/patch.tesc", "render/patch.tese", "render/density.geom",
         "render/density_view.frag"},
        {"JAL_SHEET"}},
+      {"points and lines", {"render/loose.vert", "render/loose.frag"}, {}},
       {"map view", {"render/fullscreen.vert", "render/map_view.frag"}, {}},
       {"depth view", {"render/fullscreen.vert", "render/map_view.frag"}, {"JAL_DEPTH"}},
       {"overdraw view", {"render/fullscreen.vert", "render/overdraw_view.frag"}, {}},

@@ -25,6 +25,7 @@ enum class ProgramId : unsigned {
   kIdSheetPatch,
   kDensity,
   kDensityPatch,
+  kLoose,
   kMapView,
   kDepthView,
   kOverdrawView,

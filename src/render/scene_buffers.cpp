@@ -58,6 +58,21 @@ constexpr GLuint kPerVertex = 0;
 constexpr GLuint kPerInstance = 1;
 constexpr GLuint kSecondUvs = 2;
 
+/// Binds a buffer of scene::Vertex to the attributes of an array.
+void setVertices(gl::VertexArray& array, const gl::Buffer& vertices) {
+  using scene::Vertex;
+  array.setBuffer(kPerVertex, vertices, sizeof(Vertex), 0);
+  const gl::AttributeFormat formats[] = {
+      {gpu::kAttributePosition, 3, GL_FLOAT, false, false, offsetof(Vertex, position)},
+      {gpu::kAttributeNormal, 4, GL_INT_2_10_10_10_REV, true, false, offsetof(Vertex, normal)},
+      {gpu::kAttributeUv, 2, GL_FLOAT, false, false, offsetof(Vertex, uv)},
+      {gpu::kAttributeColor, 4, GL_UNSIGNED_BYTE, true, false, offsetof(Vertex, color)},
+      {gpu::kAttributeMaterial, 1, GL_UNSIGNED_INT, false, true, offsetof(Vertex, material)},
+  };
+  for (const gl::AttributeFormat& format : formats)
+    array.setAttribute(kPerVertex, format);
+}
+
 }  // namespace
 
 SceneBuffers::SceneBuffers(const scene::SceneData& scene)
@@ -78,18 +93,13 @@ SceneBuffers::SceneBuffers(const scene::SceneData& scene)
       cellBounds_(uploadStorage(scene.cells.bounds, "bounds of cells")),
       materials_(uploadStorage(scene.materials, "materials")),
       textures_(makeTextures(scene.textures)),
-      vertexArray_("scene") {
-  using scene::Vertex;
-  vertexArray_.setBuffer(kPerVertex, vertices_, sizeof(Vertex), 0);
-  const gl::AttributeFormat perVertex[] = {
-      {gpu::kAttributePosition, 3, GL_FLOAT, false, false, offsetof(Vertex, position)},
-      {gpu::kAttributeNormal, 4, GL_INT_2_10_10_10_REV, true, false, offsetof(Vertex, normal)},
-      {gpu::kAttributeUv, 2, GL_FLOAT, false, false, offsetof(Vertex, uv)},
-      {gpu::kAttributeColor, 4, GL_UNSIGNED_BYTE, true, false, offsetof(Vertex, color)},
-      {gpu::kAttributeMaterial, 1, GL_UNSIGNED_INT, false, true, offsetof(Vertex, material)},
-  };
-  for (const gl::AttributeFormat& format : perVertex)
-    vertexArray_.setAttribute(kPerVertex, format);
+      vertexArray_("scene"),
+      looseLineVertices_(scene.loose.lineVertices),
+      loosePoints_(scene.loose.points()),
+      looseVertices_(upload(scene.loose.vertices, "points and lines")),
+      looseArray_("points and lines") {
+  setVertices(looseArray_, looseVertices_);
+  setVertices(vertexArray_, vertices_);
   if (!scene.secondUvs.empty()) {
     vertexArray_.setBuffer(kSecondUvs, secondUvs_, sizeof(glm::vec2), 0);
     vertexArray_.setAttribute(kSecondUvs, {gpu::kAttributeUv1, 2, GL_FLOAT, false, false, 0});
@@ -112,6 +122,15 @@ void SceneBuffers::bindForDrawing(const gl::Buffer& instances) {
   drawn.objects->bindStorage(gpu::kBindingObjects);
   drawn.chains->bindStorage(gpu::kBindingChains);
   instances.bindStorage(gpu::kBindingDrawInstances);
+  bindMaterials();
+}
+
+void SceneBuffers::bindForLoose() const {
+  looseArray_.bind();
+  bindMaterials();
+}
+
+void SceneBuffers::bindMaterials() const {
   materials_.bindStorage(gpu::kBindingMaterials);
   for (std::uint32_t i = 0; i < textures_.size(); ++i)
     textures_[i].bind(gpu::kUnitBaseColor + i);

@@ -29,8 +29,15 @@ class SceneBuffers {
   gl::Buffer& transforms() { return transforms_; }
   /// Binds vertex input, scene storage and textures for drawing the objects of an instance list.
   void bindForDrawing(const gl::Buffer& instances);
+  /// Vertices of segments, and points.
+  std::uint32_t looseLineVertices() const { return looseLineVertices_; }
+  std::uint32_t loosePoints() const { return loosePoints_; }
+  /// Binds vertex input, materials and textures for drawing points and lines: segments first.
+  void bindForLoose() const;
 
  private:
+  void bindMaterials() const;
+
   std::uint32_t objectCount_;
   std::uint32_t transformCount_;
   std::uint32_t cellCount_;
@@ -49,6 +56,10 @@ class SceneBuffers {
   gl::Buffer materials_;
   std::vector<gl::Texture> textures_;  ///< by texture class; at least one
   gl::VertexArray vertexArray_;
+  std::uint32_t looseLineVertices_;
+  std::uint32_t loosePoints_;
+  gl::Buffer looseVertices_;
+  gl::VertexArray looseArray_;
 };
 
 }  // namespace jalousie::render

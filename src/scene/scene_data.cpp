@@ -121,6 +121,7 @@ class SceneBuilder {
     for (const asset::Chain& chain : file_.chains)
       addChain(chain);
     addObjects();
+    addLoose();
     scene_.binLayout = layoutBins(scene_.chains, scene_.objects, scene_.lods, options_.patches);
     const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
@@ -337,6 +338,31 @@ class SceneBuilder {
       const auto object = static_cast<gpu::uint>(scene_.objects.size());
       scene_.objects.push_back({instance.chain, transform, i, object});
     }
+  }
+
+  /// Segments of all instances, then their points.
+  void addLoose() {
+    for (const bool isPoints : {false, true}) {
+      for (const asset::LooseInstance& loose : file_.looseInstances) {
+        const asset::LooseGeometry& geometry = file_.looseGeometries[loose.geometry];
+        const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(loose.worldFromObject)));
+        const bool isHidden =
+            loose.instance && std::binary_search(options_.hidden.begin(), options_.hidden.end(), *loose.instance);
+        for (const asset::LooseVertex& vertex : isPoints ? geometry.points : geometry.lines) {
+          const glm::vec3 world(loose.worldFromObject * glm::vec4(vertex.position, 1.0F));
+          scene_.boundsWorld.add(world);
+          if (isHidden) continue;
+          const glm::vec3 normal = normals * vertex.normal;
+          const float length = glm::length(normal);
+          scene_.loose.vertices.push_back({world,
+                                           length > 0.0F && std::isfinite(length) ? packNormal(normal / length) : 0U,
+                                           vertex.uv, packColor(vertex.color), vertex.material});
+        }
+      }
+      if (!isPoints) scene_.loose.lineVertices = static_cast<std::uint32_t>(scene_.loose.vertices.size());
+    }
+    if (scene_.loose.vertices.size() > std::numeric_limits<std::int32_t>::max())
+      throw Error(ErrorCode::kLimit, "the scene has more points and lines than 32-bit counts reach");
   }
 
   void addNames() {

@@ -34,6 +34,16 @@ struct DrawTables {
   BinLayout binLayout;
 };
 
+/// Points and lines of all nodes. They have no object: they are drawn whole in each frame, and hide nothing.
+struct LooseTable {
+  /// World space: two for each segment, then the points. A normal of 0: it is not lit.
+  std::vector<Vertex> vertices;
+  std::uint32_t lineVertices = 0;  ///< how many of them belong to segments
+
+  std::uint32_t points() const { return static_cast<std::uint32_t>(vertices.size()) - lineVertices; }
+  std::uint32_t segments() const { return lineVertices / 2; }
+};
+
 /// The cells of all objects: an object whose chain is not divided is one cell. Empty if no chain is divided.
 struct CellTables : DrawTables {
   std::vector<gpu::CellBounds> bounds;  ///< [lods.size()]
@@ -45,6 +55,7 @@ struct SceneData : DrawTables {
   std::vector<glm::vec2> secondUvs;  ///< TEXCOORD_1 [vertices.size()], zeros where unused; empty if no texture uses it
   std::vector<std::uint32_t> indices;
   std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
+  LooseTable loose;
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
@@ -52,7 +63,7 @@ struct SceneData : DrawTables {
   SceneNames names;
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
-  Aabb boundsWorld;  ///< of all objects
+  Aabb boundsWorld;  ///< of all objects, points and lines
   bool usesFullMaterials = false;       ///< a material has more than a base colour with a texture that isPlain()
   bool usesBlending = false;            ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error

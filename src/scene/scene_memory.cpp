@@ -33,6 +33,7 @@ SceneSize sizeOf(const SceneData& scene) {
   size.vertices = scene.vertices.size();
   size.secondUvs = scene.secondUvs.size();
   size.indices = scene.indices.size();
+  size.looseVertices = scene.loose.vertices.size();
   size.chains = scene.chains.size();
   size.levels = scene.lods.size();
   size.cells = scene.cells.objects.size();
@@ -61,6 +62,9 @@ MemoryEstimate fileNeeds(const SceneSize& size) {
   needs.add(size.vertices, kFileVertexBytes, counted(size.vertices, "vertices"));
   needs.add(size.secondUvs, sizeof(glm::vec2), counted(size.secondUvs, "second texture coordinates"));
   needs.add(size.indices, sizeof(std::uint32_t), counted(size.indices, "indices"));
+  needs.add(size.looseVertices, sizeof(asset::LooseVertex), counted(size.looseVertices, "points and ends of lines"));
+  needs.add(size.looseInstances, sizeof(asset::LooseInstance) + sizeof(glm::dvec3),
+            counted(size.looseInstances, "instances of points and lines"));
   needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
   needs.add(size.cellEnds, sizeof(std::uint32_t), counted(size.cellEnds, "ends of cells"));
   needs.add(size.cameras, sizeof(asset::Camera), counted(size.cameras, "cameras"));
@@ -90,6 +94,7 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   needs.add(vertices, sizeof(Vertex), counted(vertices, "vertices"));
   needs.add(size.secondUvs > 0 ? vertices : 0, sizeof(glm::vec2), counted(vertices, "second texture coordinates"));
   needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices"));
+  needs.add(size.looseVertices, sizeof(Vertex), counted(size.looseVertices, "points and ends of lines"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));
   if (size.cells > 0) needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices in the order of cells"));

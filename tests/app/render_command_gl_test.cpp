@@ -119,6 +119,8 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
                           "triangles",
                           "triangles_full",
                           "lod_histogram",
+                          "points",
+                          "segments",
                           "passes",
                           "frame_ms"})
     EXPECT_TRUE(stats.contains(key)) << key;
@@ -213,6 +215,63 @@ TEST_F(RenderCommand, CoverageFollowsTheThresholdsOfTheFile) {
   EXPECT_EQ(levels("with.glb", "9", "1")[1], 2);
   EXPECT_EQ(levels("with.glb", "9", "0.05")[0], 2) << "counts as 20 times as large";
   EXPECT_EQ(levels("without.glb", "900", "1")[0], 2);
+}
+
+TEST_F(RenderCommand, LevelsOfOthersWithoutErrorsAreDrawnByCoverageAlone) {
+  writeLevels(file("foreign.glb"), false, {1.0F});
+  tinygltf::Model model = asset::loadGltf(file("foreign.glb"));
+  for (tinygltf::Mesh& mesh : model.meshes)
+    mesh.extras = {};
+  asset::saveGlb(model, file("foreign.glb"));
+  const auto levels = [&](const std::string& rule) {
+    const ProgramResult result =
+        jalousie({"render", file("foreign.glb"), "--eye", "0,0,9", "--look", "0,0,0", "--size", "320x180", "--mode",
+                  "full", "--lod", rule, "--tau", "1", "--stats-only", "--json", file("foreign.json")});
+    EXPECT_EQ(result.exitCode, 0) << result.standardError;
+    EXPECT_EQ(result.standardError.find("no measured error") != std::string::npos, rule != "coverage") << rule;
+    return json("foreign.json")["lod_histogram"];
+  };
+  for (const char* rule : {"pixel-error", "price"})
+    EXPECT_EQ(levels(rule)[0], 2) << rule << ": a level of unknown error is never taken";
+  EXPECT_EQ(levels("coverage")[1], 2);
+}
+
+TEST_F(RenderCommand, CamerasAreChosenByNameAndNumber) {
+  tinygltf::Model model = test::emptyModel();
+  tinygltf::Camera camera;
+  camera.type = "perspective";
+  camera.perspective.yfov = 0.5;
+  camera.perspective.znear = 0.1;
+  model.cameras = {camera, camera};
+  model.scenes[0].nodes.clear();
+  const auto addCamera = [&](const char* name, double x) {
+    tinygltf::Node node;
+    node.name = name;
+    node.camera = static_cast<int>(model.scenes[0].nodes.size());
+    node.translation = {x, 0, 5};
+    model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()));
+    model.nodes.push_back(node);
+  };
+  addCamera("front", 0);
+  addCamera("right", 40);  // sees the background only
+  model.scenes[0].nodes.push_back(test::addMeshNode(model, test::addMesh(model, test::box(glm::vec3(0.5F)))));
+  asset::saveGlb(model, file("two.glb"));
+  const auto drawn = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all = {"render",       file("two.glb"), "--size",        "64x48",
+                                    "--stats-only", "--json",        file("two.json")};
+    all.insert(all.end(), words.begin(), words.end());
+    const ProgramResult result = jalousie(all);
+    EXPECT_EQ(result.exitCode, 0) << result.standardError;
+    return json("two.json")["drawn"].get<int>();
+  };
+  EXPECT_EQ(drawn({}), 1) << "the first camera";
+  EXPECT_EQ(drawn({"--camera", "front"}), 1);
+  EXPECT_EQ(drawn({"--camera", "0"}), 1);
+  EXPECT_EQ(drawn({"--camera", "right"}), 0);
+  EXPECT_EQ(drawn({"--camera", "1"}), 0);
+  const ProgramResult refused = jalousie({"render", file("two.glb"), "--camera", "left", "-o", file("left.png")});
+  EXPECT_EQ(refused.exitCode, static_cast<int>(ErrorCode::kUsage));
+  EXPECT_NE(refused.standardError.find("right"), std::string::npos) << "the names that there are";
 }
 
 TEST_F(RenderCommand, EveryModeViewAndDetailRuns) {

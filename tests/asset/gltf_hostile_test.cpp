@@ -138,6 +138,8 @@ TEST(GltfHostile, TextThatIsNoDocument) {
 TEST(GltfHostile, UnknownRequiredExtension) {
   EXPECT_EQ(loadPatched("/extensionsRequired", {"ACME_mesh"}), ErrorCode::kUnsupported);
   EXPECT_EQ(loadPatched("/extensionsRequired", {"MSFT_lod", "KHR_materials_unlit"}), std::nullopt);
+  for (const char* known : {"KHR_lights_punctual", "KHR_texture_transform", "EXT_mesh_gpu_instancing"})
+    EXPECT_EQ(loadPatched("/extensionsRequired", json::array({known})), std::nullopt) << known;
   EXPECT_EQ(loadPatched("/extensionsRequired", {7}), ErrorCode::kMalformed);
 }
 

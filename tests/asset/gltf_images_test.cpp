@@ -44,6 +44,18 @@ std::string messageOf(const Call& call) {
   return "accepted";
 }
 
+TEST(GltfImages, AMissingNormalMapIsLeftOutAndCounted) {
+  tinygltf::Model model = texturedTriangle("");
+  model.images[0].uri = "absent.png";
+  model.materials[0].pbrMetallicRoughness.baseColorTexture.index = -1;
+  model.materials[0].normalTexture.index = 0;
+  const SceneFile scene = readScene(model, "a.gltf");
+  EXPECT_FALSE(scene.materials.at(0).normalTexture.has_value());
+  EXPECT_EQ(scene.images.size(), 0U);
+  EXPECT_EQ(scene.instances.size(), 1U);
+  EXPECT_EQ(scene.ignored, (ContentCounts{{"missing pictures", 1}, {"textures of normals", 1}}));
+}
+
 TEST(GltfImages, WebpIsPreferredAndSurvivesEncoding) {
   tinygltf::Model model = texturedTriangle(pngFile({.width = 3}));
   const int webp = addImage(model, webpFile(noisePicture(5, 4), true));

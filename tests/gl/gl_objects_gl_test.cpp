@@ -78,8 +78,10 @@ TEST_F(GlObjects, EveryProgramOfTheTablesBuilds) {
 TEST_F(GlObjects, EveryProgramOfARendererReadsItsShaderLibrary) {
   const test::TemporaryFolder folder;
   const ShaderLibrary library(folder.path());
-  const scene::SceneData scene =
-      scene::buildScene(test::spheresBehindWall(0.3F), {.cells = {scene::CellOptions::Kind::kCount, 64}});
+  asset::SceneFile scenery = test::spheresBehindWall(0.3F);
+  scenery.looseGeometries = {{{asset::LooseVertex{}}, {}}};
+  scenery.looseInstances = {{0, glm::mat4(1.0F), std::nullopt}};
+  const scene::SceneData scene = scene::buildScene(scenery, {.cells = {scene::CellOptions::Kind::kCount, 64}});
   ASSERT_FALSE(scene.cells.objects.empty());
   std::set<std::string_view> files;
   for (const auto table : {visibility::programTable(), render::programTable()})

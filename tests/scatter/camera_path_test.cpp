@@ -16,14 +16,14 @@ constexpr PathSubject kCubeBehind{10.0F, 1.0F, true};
 constexpr PathSubject kSingle{0.0F, 1.0F, false};
 constexpr PathSubject kSingleBehind{0.0F, 1.0F, true};
 
-struct Pose {
+struct EyePose {
   glm::vec3 position;
   glm::quat rotation;
   glm::vec3 direction() const { return rotation * glm::vec3(0, 0, -1); }
 };
 
 /// The pose at a frame, interpolated as glTF says.
-Pose poseAt(const CameraPath& path, float frame) {
+EyePose poseAt(const CameraPath& path, float frame) {
   const float time = frame / static_cast<float>(kFramesPerSecond);
   const auto upper = std::upper_bound(path.times.begin(), path.times.end(), time);
   const auto second = static_cast<std::size_t>(
@@ -58,7 +58,7 @@ TEST_P(EveryPath, MovesAndTurnsWithoutJumps) {
 }
 
 TEST_P(EveryPath, FirstFrameLooksAtTheMiddleFromTheFront) {
-  const Pose pose = poseAt(makeCameraPath(GetParam()), 0.0F);
+  const EyePose pose = poseAt(makeCameraPath(GetParam()), 0.0F);
   EXPECT_NEAR(pose.position.x, 0.0F, 1e-4F);
   EXPECT_GT(pose.position.z, 0.0F);
   EXPECT_NEAR(glm::dot(pose.direction(), -glm::normalize(pose.position)), 1.0F, 1e-5F);
@@ -73,7 +73,7 @@ TEST(CameraPath, OutsideEverythingIsInView) {
     const float tangent = std::tan(0.5F * kFovY);
     float tightest = 0.0F;
     for (float frame = 0.0F; frame <= 900.0F; frame += 1.0F) {
-      const Pose pose = poseAt(path, frame);
+      const EyePose pose = poseAt(path, frame);
       for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 p((corner & 1) != 0 ? half : -half, (corner & 2) != 0 ? half : -half,
                           (corner & 4) != 0 ? half : -half);
@@ -91,7 +91,7 @@ TEST(CameraPath, OutsideEverythingIsInView) {
 TEST(CameraPath, InsideStaysInTheCubeAndLooksAlong) {
   const CameraPath path = makeCameraPath(kCube);
   for (float frame = 1200.0F; frame < 1799.0F; frame += 1.0F) {
-    const Pose pose = poseAt(path, frame);
+    const EyePose pose = poseAt(path, frame);
     EXPECT_LT(glm::length(pose.position), 10.0F);
     EXPECT_GT(glm::length(pose.position), 1.0F);
     const glm::vec3 along = glm::normalize(poseAt(path, frame + 1.0F).position - pose.position);

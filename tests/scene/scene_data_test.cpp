@@ -122,6 +122,32 @@ TEST(SceneData, TransformsAreKept) {
     EXPECT_EQ(worldFromObject(scene.transforms[i]), file.instances[i].worldFromObject);
 }
 
+TEST(SceneData, SegmentsComeBeforePointsInWorldSpace) {
+  asset::SceneFile file;
+  file.materials.emplace_back();
+  const asset::LooseVertex corner{{1, 0, 0}, {0, 0, 0}, {0, 0}, glm::vec4(1), 0};
+  asset::LooseVertex lit = corner;
+  lit.normal = {1, 0, 0};
+  file.looseGeometries = {{{corner}, {corner, lit}}};
+  glm::mat4 moved(1.0F);
+  moved[0] = {0, 3, 0, 0};  // a quarter turn
+  moved[1] = {-3, 0, 0, 0};
+  moved[3] = {0, 0, 7, 1};
+  file.looseInstances = {{0, glm::mat4(1.0F), std::nullopt}, {0, moved, 4}};
+  const SceneData scene = buildScene(file);
+  ASSERT_EQ(scene.loose.vertices.size(), 6U);
+  EXPECT_EQ(scene.loose.lineVertices, 4U);
+  EXPECT_EQ(scene.loose.vertices[0].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(scene.loose.vertices[0].normal, 0U);
+  EXPECT_EQ(scene.loose.vertices[3].position, glm::vec3(0, 3, 7));
+  EXPECT_EQ(scene.loose.vertices[3].normal, packNormal({0, 1, 0}));
+  EXPECT_EQ(scene.loose.vertices[5].position, glm::vec3(0, 3, 7));
+  EXPECT_EQ(scene.boundsWorld.max, glm::vec3(1, 3, 7));
+  const SceneData without = buildScene(file, {.hidden = {4}});
+  EXPECT_EQ(without.loose.vertices.size(), 3U) << "the points and lines of a hidden instance are hidden";
+  EXPECT_EQ(without.boundsWorld.max, scene.boundsWorld.max);
+}
+
 TEST(SceneData, PatchBaseIsTheCoarsestLevelInsideWiderBounds) {
   const asset::SceneFile file = test::sphereChain(5);
   const SceneData plain = buildScene(file);
@@ -150,6 +176,13 @@ TEST(SceneData, NormalsPackIntoTenBitsASide) {
   EXPECT_EQ(packNormal({1, 0, 0}), 0x1ffU);
   EXPECT_EQ(packNormal({0, -1, 0}), 0x201U << 10);
   EXPECT_EQ(packNormal({0, 0, 1}), 0x1ffU << 20);
+}
+
+TEST(TextureLayers, LargeImagesKeepTheirSize) {
+  const TextureLayout layout = layoutTextures(std::vector<asset::ImageSize>{{4096, 2048}, {1, 1}});
+  const TextureClass& large = layout.classes.at(layout.slots.at(0).textureClass);
+  EXPECT_EQ(large.width, 4096U);
+  EXPECT_EQ(large.height, 2048U);
 }
 
 TEST(TextureLayers, AreThePowersOfTwoThatHoldEachImage) {
