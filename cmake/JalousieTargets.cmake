@@ -61,8 +61,8 @@ function(jalousie_add_library name)
 endfunction()
 
 # jalousie_add_test(NAME LABELS label... SOURCES ... [LIBS ...] [TIMEOUT s])
-# A GoogleTest program. Label `cpu`: one ctest entry per case. Labels `gl`, `golden`, `slow`: one entry for the whole
-# program, so that the context and its compiled shaders are made once. The presets leave `slow` out.
+# A GoogleTest program. Labels `cpu` and `files`: one ctest entry per case. Labels `gl`, `golden`, `slow`: one entry for
+# the whole program, so that the context and its compiled shaders are made once. The presets leave `slow` out.
 # The target cpu_tests builds the programs of label `cpu` and what they need; without JALOUSIE_BUILD_CPU_TESTS they are
 # neither built by default nor run.
 function(jalousie_add_test name)
@@ -89,10 +89,12 @@ function(jalousie_add_test name)
     if(NOT TARGET cpu_tests)
       add_custom_target(cpu_tests)
     endif()
-    add_dependencies(cpu_tests ${name})
-    if(NOT JALOUSIE_BUILD_CPU_TESTS)
-      set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-      return()
+    if(arg_LABELS STREQUAL "cpu")
+      add_dependencies(cpu_tests ${name})
+      if(NOT JALOUSIE_BUILD_CPU_TESTS)
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+        return()
+      endif()
     endif()
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}."
       PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")

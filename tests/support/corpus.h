@@ -55,6 +55,11 @@ class CorpusTest : public testing::Test {
     if (folder_ == nullptr) GTEST_SKIP() << "Node.js is not installed; it makes the corpus";
   }
 
+  /// Arguments of the baker. @param output  a file
+  static std::vector<std::string> bakeArguments(const CorpusCase& file, const std::filesystem::path& output) {
+    return {file.input.string(), "-o", output.string(), "-q", "--preset", "draft", "--levels", "2"};
+  }
+
   static std::size_t linesOf(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
