@@ -23,6 +23,7 @@
 #include "asset/scene_origin.h"
 #include "asset/scene_pose.h"
 #include "core/error.h"
+#include "core/memory_estimate.h"
 
 namespace jalousie::asset {
 namespace {
@@ -284,9 +285,11 @@ class SceneReader {
     if (!geometry) return;
     const LooseGeometry& shown = scene_.looseGeometries[*geometry];
     const InstanceTransforms instances = readInstances(model_, node, limits_);
-    for (std::uint64_t i = 0; i < std::max<std::uint64_t>(instances.count, 1); ++i) {
-      budget_.take(shown.points.size() + shown.lines.size());  // each instance gets vertices of its own
-      if (keep_ != Keep::kAll) continue;
+    const std::uint64_t copies = std::max<std::uint64_t>(instances.count, 1);
+    // Each instance gets vertices of its own.
+    budget_.take(saturatingProduct(copies, shown.points.size() + shown.lines.size()));
+    if (keep_ != Keep::kAll) return;
+    for (std::uint64_t i = 0; i < copies; ++i) {
       const glm::dmat4 world = instances.count > 0 ? worldFromNode * instances.nodeFromInstance(i) : worldFromNode;
       if (!isFinite(glm::dmat4(glm::mat4(world))))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));

@@ -12,6 +12,7 @@
 #include "asset/lod_chain.h"
 #include "asset/node_graph.h"
 #include "core/error.h"
+#include "core/memory_estimate.h"
 
 namespace jalousie::asset::detail {
 namespace {
@@ -89,9 +90,9 @@ void GroupReader::addPart(const GroupPart& part, const glm::dmat4& groupFromMesh
   ++level.parts;
   const InstanceTransforms instances = readInstances(model_, part.node, limits_);
   const std::uint64_t copies = std::max<std::uint64_t>(instances.count, 1);
+  context.budget.take(saturatingProduct(copies - 1, elementsOf(mesh)));
   double scale = 0.0;
   for (std::uint64_t i = 0; i < copies; ++i) {
-    if (i > 0) context.budget.take(elementsOf(mesh));
     const glm::dmat4 placed = instances.count > 0 ? groupFromMesh * instances.nodeFromInstance(i) : groupFromMesh;
     if (!isFinite(placed))
       throw Error(ErrorCode::kMalformed, fmt::format("node {}: transform in its group is not finite", part.node));
