@@ -267,6 +267,22 @@ TEST(SceneFile, PointsBesideTrianglesFollowTheirInstances) {
   EXPECT_EQ(scene.looseInstances[1].worldFromObject, scene.instances[1].worldFromObject);
 }
 
+TEST(SceneFile, CopiesOfPointsAreLimitedByTheFile) {
+  tinygltf::Model model = oneTriangle();
+  setPositions(model, TINYGLTF_MODE_POINTS, std::vector<glm::vec3>(6));
+  tinygltf::Accessor zeros;  // without data: what a small file may ask for is 2^24 vertices
+  zeros.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  zeros.type = TINYGLTF_TYPE_VEC3;
+  zeros.count = 3'000'000;
+  model.accessors.push_back(zeros);
+  model.nodes[0].extensions["EXT_mesh_gpu_instancing"] = tinygltf::Value(tinygltf::Value::Object{
+      {"attributes", tinygltf::Value(tinygltf::Value::Object{
+                         {"TRANSLATION", tinygltf::Value(static_cast<int>(model.accessors.size()) - 1)}})}});
+  model.extensionsUsed = {"EXT_mesh_gpu_instancing"};
+  EXPECT_EQ(test::codeOf([&] { flatten(model); }), ErrorCode::kLimit);
+  EXPECT_EQ(measureScene(model).looseVertices, 18'000'000U) << "known before anything is allocated";
+}
+
 TEST(SceneFile, PointsFarFromTheOriginLoseNoDigit) {
   tinygltf::Model model = oneTriangle();
   setPositions(model, TINYGLTF_MODE_POINTS, {{0, 0, 0}, {1, 0, 0}});

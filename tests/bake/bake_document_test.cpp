@@ -295,6 +295,23 @@ TEST(UnusedAttributes, AreKeptOnRequestAndWhereATextureReadsThem) {
   const auto object = [](const std::string& key, const Value& value) { return Value(Value::Object{{key, value}}); };
   EXPECT_TRUE(survives([](tinygltf::Model& model) { model.materials[0].emissiveTexture.index = 0; }));
   EXPECT_TRUE(survives([](tinygltf::Model& model) { model.meshes[0].primitives[0].material = -1; }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // sets are numbered without gaps
+    auto& attributes = model.meshes[0].primitives[0].attributes;
+    attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+    model.materials[0].pbrMetallicRoughness.baseColorTexture.index = 0;
+    model.materials[0].pbrMetallicRoughness.baseColorTexture.texCoord = 1;
+  }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // the texture of a feature belongs to no material
+    const Value texture(Value::Object{{"index", Value(0)}, {"texCoord", Value(0)}});
+    model.meshes[0].primitives[0].extensions["EXT_mesh_features"] =
+        object("featureIds", Value(Value::Array{object("texture", texture)}));
+  }));
+  EXPECT_TRUE(survives([&](tinygltf::Model& model) {
+    model.meshes[0].primitives[0].extensions["EXT_structural_metadata"] =
+        object("propertyTextures", Value(Value::Array{Value(0)}));
+    model.extensions["EXT_structural_metadata"] = object(
+        "propertyTextures", Value(Value::Array{object("properties", object("heat", object("index", Value(0))))}));
+  }));
   EXPECT_TRUE(survives([&](tinygltf::Model& model) {  // a texture of an extension
     model.materials[0].extensions["KHR_materials_sheen"] = object("sheenColorTexture", object("index", Value(0)));
   }));

@@ -138,6 +138,20 @@ TEST(KeptContent, AnimationPointersKeepChannelAndSampler) {
   EXPECT_EQ(baked.glb.accessor(animation["samplers"][0]["output"].get<std::size_t>()), input.accessor(4));
 }
 
+TEST(KeptContent, ANodeThatAPointerMovesIsTheParentOfAllItsLevels) {
+  Glb input = richDocument();
+  input.json["extensionsUsed"] = {"KHR_animation_pointer"};
+  input.json["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"]["pointer"] =
+      "/nodes/0/translation";
+  const json output = test::bakeGlb(input).glb.json;
+  EXPECT_EQ(output["animations"][0]["channels"].size(), 2U) << "no channel is copied to the levels";
+  EXPECT_FALSE(output["nodes"][0].contains("mesh"));
+  ASSERT_EQ(output["nodes"][0]["children"].size(), 1U);
+  const json& child = output["nodes"][output["nodes"][0]["children"][0].get<std::size_t>()];
+  EXPECT_TRUE(child.contains("mesh"));
+  EXPECT_TRUE(child["extensions"].contains("MSFT_lod"));
+}
+
 TEST(KeptContent, WhatTheLibraryDoesNotKnowIsWrittenAsItWas) {
   Glb input = richDocument();
   for (const char* place : {"/asset", "/scenes/0", "/nodes/1", "/materials/0", "/animations/0", "/accessors/3"}) {

@@ -57,6 +57,30 @@ TEST(ObjReader, MaterialsOutsideTheFolderAreNotOpened) {
   }
 }
 
+TEST(ObjReader, AByteOrderMarkIsNoStatement) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "quads.mtl") << "\xEF\xBB\xBFnewmtl red\nKd 0 1 0\n";
+  const PolygonMesh mesh =
+      read("\xEF\xBB\xBFv 5 0 0\nv 1 0 0\nv 0 1 0\nmtllib quads.mtl\nusemtl red\nf 1 2 3\n", folder / "quads.obj");
+  ASSERT_EQ(mesh.positions.size(), 3U);
+  EXPECT_EQ(mesh.positions[0], glm::dvec3(5, 0, 0));
+  EXPECT_EQ(mesh.materials.at(0).baseColor, glm::vec4(0, 1, 0, 1));
+}
+
+TEST(ObjReader, WhatIsPassedOverIsNoted) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "a.mtl") << "newmtl red\nmap_Kd -s 2 3 1 wood.png\n";
+  Notes notes;
+  readObj(
+      bytesOf("# a comment\nmtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\nf 1 2\ncurv2 1 2\n"),
+      folder / "a.obj", notes);
+  EXPECT_EQ(notes.lines(),
+            (std::vector<std::string>{"points and lines of the OBJ file are left out: line 8",
+                                      "OBJ faces of fewer than three corners are left out: line 9",
+                                      "OBJ statements are passed over: curv2",
+                                      "scale, offset and clamping of a texture are left out: wood.png"}));
+}
+
 TEST(ObjReader, HostileFilesAreErrors) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (const std::string& text :

@@ -192,6 +192,25 @@ TEST(PlyReader, EveryTruncationAndEveryByteFlipIsAnErrorOrAValidMesh) {
   }
 }
 
+TEST(PlyReader, FacesMayComeBeforeVertices) {
+  const TriangleMesh mesh = onlyPartOf(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 4\n"
+      "property float x\nproperty float y\nproperty float z\nend_header\n4 0 1 2 3\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n");
+  EXPECT_EQ(mesh.indices.size(), 6U);
+  EXPECT_NEAR(test::areaOf(mesh), 1.0, 1e-6);
+}
+
+TEST(PlyReader, WhatIsPassedOverIsNoted) {
+  Notes notes;
+  readPly(bytesOf("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                  "property float quality\nelement face 2\nproperty list uchar int vertex_indices\nproperty int label\n"
+                  "end_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 5\n2 0 1 5\n"),
+          "x.ply", notes);
+  EXPECT_EQ(notes.lines(), (std::vector<std::string>{"properties of PLY vertices are left out: quality",
+                                                     "properties of PLY faces are left out: label",
+                                                     "PLY faces of fewer than three corners are left out: 1 faces"}));
+}
+
 TEST(PlyReader, FacesHaveTextureCoordinatesAndPictures) {
   const std::string text =
       "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment TextureFile old stone.png\nelement vertex 4\n"

@@ -213,6 +213,9 @@ TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--ratios", "0.25,0.5"}, 2, "--ratios");
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "finest"}, 2, "--preset");
   expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "draft", "--weight-uv", "2"}, 2, "--weight-uv");
+  expectRefused({file("ball.ply"), "-o", file("out.glb"), "--preset", "draft", "--budget", "scene"}, 2, "--budget");
+  for (const char* name : {"out.gltf", "out.PNG"})
+    expectRefused({file("ball.ply"), "-o", file(name)}, 2, "ends in .glb");
 }
 
 TEST_F(BakeProgram, WhatIsLeftOutIsSaidOnceForEachKind) {

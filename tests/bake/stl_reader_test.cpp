@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 
 #include "bake/bake_fixtures.h"
@@ -14,6 +16,11 @@ namespace {
 
 using test::bytesOf;
 using test::codeOf;
+
+PolygonMesh readFile(std::span<const std::byte> bytes, const std::filesystem::path& file) {
+  Notes notes;
+  return readStl(bytes, file, notes);
+}
 
 std::string binaryStl(const asset::Primitive& mesh) {
   std::string text(80, 's');
@@ -46,7 +53,7 @@ std::string asciiStl(const asset::Primitive& mesh, const std::string& name) {
 TEST(StlReader, BothKindsAreWeldedAndGetNormals) {
   const asset::Primitive ball = test::sphere(24, 12);
   for (const std::string& text : {binaryStl(ball), asciiStl(ball, "a ball")}) {
-    const TriangleMesh mesh = test::onlyPart(readStl(bytesOf(text), "x.stl"), NormalRule::kCreases);
+    const TriangleMesh mesh = test::onlyPart(readFile(bytesOf(text), "x.stl"), NormalRule::kCreases);
     EXPECT_EQ(mesh.indices.size(), ball.indices.size());
     EXPECT_LE(mesh.positions.size(), 24U * 11U + 2U);
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
@@ -57,16 +64,35 @@ TEST(StlReader, BothKindsAreWeldedAndGetNormals) {
 
 TEST(StlReader, EdgesOfABoxStaySharp) {
   const TriangleMesh mesh =
-      test::onlyPart(readStl(bytesOf(binaryStl(test::box(glm::vec3(1)))), "x.stl"), NormalRule::kCreases);
+      test::onlyPart(readFile(bytesOf(binaryStl(test::box(glm::vec3(1)))), "x.stl"), NormalRule::kCreases);
   EXPECT_EQ(mesh.positions.size(), 24U);
 }
 
 TEST(StlReader, SolidsAreObjects) {
   const std::string text = asciiStl(test::sphere(8, 4), "first") + asciiStl(test::box(glm::vec3(1)), "second");
-  const std::vector<SurfaceObject> objects = buildObjects(readStl(bytesOf(text), "x.stl"), NormalRule::kNone);
+  const std::vector<SurfaceObject> objects = buildObjects(readFile(bytesOf(text), "x.stl"), NormalRule::kNone);
   ASSERT_EQ(objects.size(), 2U);
   EXPECT_EQ(objects[1].name, "second");
   EXPECT_EQ(objects[1].parts[0].mesh.indices.size(), 36U);
+}
+
+TEST(StlReader, BinaryFilesMayBeginWithTheWordOfTextFiles) {
+  std::string text = binaryStl(test::box(glm::vec3(1)));
+  text.replace(0, 9, "solid box");
+  text[84 + 48] = 7;  // the attribute of the first facet, which some programs use for its colour
+  text += "8 bytes!";
+  Notes notes;
+  EXPECT_EQ(readStl(bytesOf(text), "x.stl", notes).faces.size(), 12U);
+  EXPECT_EQ(notes.lines(), (std::vector<std::string>{"bytes after the last STL facet are left out: 8 bytes",
+                                                     "colours of STL facets are left out: 1 facets"}));
+}
+
+TEST(StlReader, KeywordsMayBeInCapitals) {
+  std::string text = asciiStl(test::box(glm::vec3(1)), "box");
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+  const PolygonMesh mesh = readFile(bytesOf(text), "x.stl");
+  EXPECT_EQ(mesh.faces.size(), 12U);
+  EXPECT_EQ(mesh.objects.back(), "BOX");
 }
 
 TEST(StlReader, BrokenFilesAreErrors) {
@@ -79,9 +105,9 @@ TEST(StlReader, BrokenFilesAreErrors) {
   word.replace(word.find("vertex") + 7, 1, "x");
   for (const std::string& text : {std::string(), binary.substr(0, binary.size() - 1), nan, word,
                                   ascii.substr(0, ascii.find("endloop")), std::string("solid x\nvertex 0 0\n")})
-    EXPECT_EQ(codeOf([&] { readStl(bytesOf(text), "x.stl"); }), ErrorCode::kMalformed) << text.size();
+    EXPECT_EQ(codeOf([&] { readFile(bytesOf(text), "x.stl"); }), ErrorCode::kMalformed) << text.size();
   for (const std::string& text : {std::string(84, '\0'), std::string("solid x\nendsolid x\n")})
-    EXPECT_EQ(codeOf([&] { readStl(bytesOf(text), "x.stl"); }), ErrorCode::kUnsupported) << text.size();
+    EXPECT_EQ(codeOf([&] { readFile(bytesOf(text), "x.stl"); }), ErrorCode::kUnsupported) << text.size();
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ void appendFile(tinygltf::Model& model, std::span<const std::byte> bytes, const 
   } else if (extension == ".obj") {
     mesh = readObj(bytes, file, notes, around.observer);
   } else if (extension == ".stl") {
-    mesh = readStl(bytes, file);
+    mesh = readStl(bytes, file, notes);
   } else {
     throw Error(ErrorCode::kUnsupported, kKinds, file);
   }

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "asset/lod_chain.h"
 
@@ -35,7 +38,7 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
 
 /// Copies every channel that moves the node of LOD 0 to the nodes of the levels.
 void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int node, const std::vector<int>& levels) {
-  const auto [first, last] = channels.equal_range(node);
+  const auto [first, last] = channels.byNode.equal_range(node);
   for (auto at = first; at != last; ++at) {
     std::vector<tinygltf::AnimationChannel>& list = model.animations[at->second.first].channels;
     for (const int level : levels) {
@@ -53,6 +56,19 @@ bool holdsMoreThanItsMesh(const tinygltf::Node& node) {
          (node.extras.Type() != tinygltf::NULL_TYPE && !node.extras.IsObject()) ||
          std::any_of(node.extensions.begin(), node.extensions.end(),
                      [](const auto& extension) { return !belongsToMesh(extension.first); });
+}
+
+/// The node in "/nodes/3/translation", which a channel of KHR_animation_pointer changes.
+std::optional<int> pointedNode(const tinygltf::AnimationChannel& channel) {
+  const auto extension = channel.target_extensions.find("KHR_animation_pointer");
+  if (extension == channel.target_extensions.end() || !extension->second.IsObject()) return std::nullopt;
+  const tinygltf::Value& pointer = extension->second.Get("pointer");
+  constexpr std::string_view kNodes = "/nodes/";
+  if (!pointer.IsString() || !pointer.Get<std::string>().starts_with(kNodes)) return std::nullopt;
+  const std::string_view rest = std::string_view(pointer.Get<std::string>()).substr(kNodes.size());
+  int node = -1;
+  const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), node);
+  return status == std::errc() && node >= 0 ? std::optional(node) : std::nullopt;
 }
 
 /// Moves the mesh of a node, and its instances, into a new child. @return  the child
@@ -79,10 +95,15 @@ int moveMeshIntoChild(tinygltf::Model& model, int parent) {
 
 ChannelIndex indexChannels(const tinygltf::Model& model) {
   ChannelIndex index;
-  for (std::size_t a = 0; a < model.animations.size(); ++a)
-    for (std::size_t c = 0; c < model.animations[a].channels.size(); ++c)
-      if (model.animations[a].channels[c].target_path != "weights")
-        index.emplace(model.animations[a].channels[c].target_node, std::pair(a, c));
+  for (std::size_t a = 0; a < model.animations.size(); ++a) {
+    for (std::size_t c = 0; c < model.animations[a].channels.size(); ++c) {
+      const tinygltf::AnimationChannel& channel = model.animations[a].channels[c];
+      if (const std::optional<int> node = pointedNode(channel))
+        index.pointed.insert(*node);
+      else if (channel.target_path != "weights")
+        index.byNode.emplace(channel.target_node, std::pair(a, c));
+    }
+  }
   return index;
 }
 
@@ -90,7 +111,8 @@ void linkNodes(tinygltf::Model& model, const ChannelIndex& channels, const std::
                const std::vector<int>& levelMeshes, const std::vector<float>& coverage) {
   if (levelMeshes.size() < 2) return;
   for (const int user : nodes) {
-    const bool divide = holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
+    const bool divide =
+        channels.pointed.contains(user) || holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
     const int n = divide ? moveMeshIntoChild(model, user) : user;
     const tinygltf::Node source = model.nodes[static_cast<std::size_t>(n)];
     std::vector<int> lower;

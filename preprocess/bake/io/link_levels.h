@@ -5,18 +5,22 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
 namespace jalousie::bake {
 
-/// The channels that move each node: pairs of animation and channel, by node.
-using ChannelIndex = std::multimap<int, std::pair<std::size_t, std::size_t>>;
+/// What moves each node.
+struct ChannelIndex {
+  std::multimap<int, std::pair<std::size_t, std::size_t>> byNode;  ///< pairs of animation and channel
+  std::set<int> pointed;                                           ///< nodes that KHR_animation_pointer names
+};
 ChannelIndex indexChannels(const tinygltf::Model& model);
 
 /// Appends a node for each level below LOD 0, for each of the nodes that show it, and links them with MSFT_lod. The
-/// mesh of a node that holds more moves into a new child first. @param channels  of the document before the bake
-/// @param levelMeshes  LOD 0 first   @param coverage  one for each
+/// mesh of a node that holds more, or that a pointer moves, moves into a new child first.
+/// @param channels  of the document before the bake   @param levelMeshes  LOD 0 first   @param coverage  one for each
 void linkNodes(tinygltf::Model& model, const ChannelIndex& channels, const std::vector<int>& nodes,
                const std::vector<int>& levelMeshes, const std::vector<float>& coverage);
 

@@ -25,7 +25,7 @@ constexpr std::size_t kMaxMaterials = 10'000;              ///< the library spen
 class MaterialLibrary {
  public:
   void read(std::span<const std::byte> bytes) {
-    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string text(withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
     bytes_ += bytes.size();
     std::size_t count = materials_.size();
     for (std::size_t at = text.find("newmtl"); at != std::string::npos; at = text.find("newmtl", at + 6))
@@ -74,6 +74,12 @@ void noteUnused(const tinyobj::material_t& material, Notes& notes) {
       {"map_Ps", &material.sheen_texname}};
   for (const auto& [keyword, name] : unused)
     if (!name->empty()) notes.add(std::string(keyword) + " has no counterpart and is left out", *name);
+  const tinyobj::texture_option_t& options = material.diffuse_texopt;
+  const auto isPlain = [](const tinyobj::real_t(&values)[3], tinyobj::real_t usual) {
+    return values[0] == usual && values[1] == usual && values[2] == usual;
+  };
+  if (!isPlain(options.scale, 1.0F) || !isPlain(options.origin_offset, 0.0F) || options.clamp)
+    notes.add("scale, offset and clamping of a texture are left out", material.diffuse_texname);
   if (!material.alpha_texname.empty() && material.alpha_texname != material.diffuse_texname)
     notes.add("map_d with a picture of its own is left out", material.alpha_texname);
 }
@@ -116,7 +122,7 @@ PolygonMesh readObj(std::span<const std::byte> bytes, const std::filesystem::pat
 
 PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::path& file,
                      const MaterialSource& materialSource, Notes& notes) {
-  ObjStatements statements = readObjStatements(bytes, file);
+  ObjStatements statements = readObjStatements(bytes, file, notes);
   PolygonMesh& mesh = statements.mesh;
   if (mesh.faces.empty() && mesh.positions.empty())
     throw Error(ErrorCode::kMalformed, "the OBJ file has no vertices", file);

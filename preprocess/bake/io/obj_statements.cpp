@@ -23,7 +23,8 @@ using Words = std::vector<std::string_view>;
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {
+  Reader(std::string_view text, const std::filesystem::path& file, Notes& notes)
+      : text_(withoutByteOrderMark(text)), file_(file), notes_(notes) {
     if (text.find('\0') != std::string_view::npos) throw Error(ErrorCode::kMalformed, "not an OBJ file", file);
   }
 
@@ -77,8 +78,13 @@ class Reader {
       for (std::size_t i = 1; i < words.size(); ++i)
         result_.libraries.push_back(checkedName(words[i]));
       if (words.size() > 2) result_.libraries.push_back(joined(words));  // one name with spaces
+      return;
     }
+    if (keyword == "p" || keyword == "l") return notes_.add("points and lines of the OBJ file are left out", place());
+    if (!keyword.starts_with('#')) notes_.add("OBJ statements are passed over", std::string(keyword.substr(0, 40)));
   }
+
+  std::string place() const { return fmt::format("line {}", line_); }
 
   double number(const Words& words, std::size_t i) const {
     std::string_view word = words[i];
@@ -143,7 +149,10 @@ class Reader {
     const std::size_t first = mesh.corners.size();
     for (std::size_t i = 1; i < words.size(); ++i)
       mesh.corners.push_back(corner(words[i]));
-    if (words.size() < 4) return mesh.corners.resize(first);  // points and lines in disguise
+    if (words.size() < 4) {  // points and lines in disguise
+      notes_.add("OBJ faces of fewer than three corners are left out", place());
+      return mesh.corners.resize(first);
+    }
     if (words.size() > kMaxCorners + 1)
       throw Error(ErrorCode::kLimit,
                   fmt::format("line {}: a face of {} corners, the limit is {}", line_, words.size() - 1, kMaxCorners),
@@ -250,6 +259,7 @@ class Reader {
 
   std::string_view text_;
   const std::filesystem::path& file_;
+  Notes& notes_;
   std::size_t at_ = 0;
   std::uint64_t line_ = 0;
   ObjStatements result_;
@@ -268,8 +278,14 @@ class Reader {
 
 }  // namespace
 
-ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file) {
-  return Reader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file).run();
+ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes) {
+  return Reader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, notes).run();
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
 }
 
 }  // namespace jalousie::bake

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bake/io/notes.h"
 #include "bake/io/polygon_mesh.h"
 
 namespace jalousie::bake {
@@ -16,7 +18,11 @@ struct ObjStatements {
   std::vector<std::string> libraries;  ///< names after mtllib
 };
 
-/// Errors: kMalformed (with the line's number), kLimit (names or numbers that are too long, too many corners).
-ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file);
+/// @param notes  gets the statements that are passed over. Errors: kMalformed (with the line's number), kLimit (names
+/// or numbers that are too long, too many corners).
+ObjStatements readObjStatements(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes);
+
+/// A text without the byte order mark that some editors put before it.
+std::string_view withoutByteOrderMark(std::string_view text);
 
 }  // namespace jalousie::bake

@@ -55,6 +55,10 @@ void readFace(Input& input, const Element& element, Encoding encoding, PlyFace& 
 
 }  // namespace
 
+bool isFaceProperty(const Property& property) {
+  return isIndexList(property) || (property.countType ? property.name == "texcoord" : property.name == "texnumber");
+}
+
 void readFaces(Input& input, const Element& element, Encoding encoding, FaceBuilder& faces) {
   PlyFace face;
   for (std::uint64_t f = 0; f < element.count; ++f) {

@@ -25,7 +25,10 @@ class FaceBuilder {
       : input_(input), mesh_(mesh), pictures_(pictures), vertexUvs_(mesh.uvs.size()) {}
 
   void add(const PlyFace& face) {
-    if (face.polygon.size() < 3) return;
+    if (face.polygon.size() < 3) {
+      ++passedOver_;
+      return;
+    }
     const bool hasOwnUvs = face.uvs.size() == 2 * face.polygon.size();
     for (std::size_t i = 0; i < face.polygon.size(); ++i) {
       PolygonMesh::Corner corner = cornerOf(face.polygon[i]);
@@ -57,6 +60,9 @@ class FaceBuilder {
     }
   }
 
+  /// Faces of fewer than three corners.
+  std::size_t passedOver() const { return passedOver_; }
+
  private:
   PolygonMesh::Corner cornerOf(std::uint32_t index) const {
     if (index >= mesh_.positions.size()) input_.fail("a PLY face has an index out of range");
@@ -78,7 +84,11 @@ class FaceBuilder {
   PolygonMesh& mesh_;
   std::size_t pictures_;
   std::size_t vertexUvs_;
+  std::size_t passedOver_ = 0;
 };
+
+/// Whether a property of a face or a strip is read.
+bool isFaceProperty(const Property& property);
 
 /// Adds the faces of an element. Errors: kMalformed, kLimit.
 void readFaces(Input& input, const Element& element, Encoding encoding, FaceBuilder& faces);

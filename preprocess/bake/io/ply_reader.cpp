@@ -1,6 +1,8 @@
 // Goes through the elements in the order of the file.
 #include "bake/io/ply_reader.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 
@@ -18,6 +20,8 @@ using ply::Encoding;
 using ply::FaceBuilder;
 using ply::Header;
 using ply::Input;
+using ply::isFaceProperty;
+using ply::isVertexProperty;
 using ply::Property;
 using ply::readFaces;
 using ply::readHeader;
@@ -33,11 +37,23 @@ void skipElement(Input& input, const Element& element, Encoding encoding) {
 }
 
 void noteSkipped(const Element& element, Notes& notes) {
-  const bool isKnown = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
-  if (!isKnown && element.count > 0) notes.add("PLY elements are passed over", element.name);
+  const bool isFaces = element.name == "face" || element.name == "tristrips";
+  if (!isFaces && element.name != "vertex" && element.count > 0)
+    return notes.add("PLY elements are passed over", element.name);
   for (const Property& property : element.properties) {
-    const bool isColor = element.name == "face" && slotOf(property.name) >= 8;
-    if (isColor) notes.add("colours of PLY faces are left out", property.name);
+    if (element.name == "vertex" && !isVertexProperty(property))
+      notes.add("properties of PLY vertices are left out", property.name);
+    if (!isFaces || isFaceProperty(property)) continue;
+    const bool isColor = slotOf(property.name) >= 8;
+    notes.add(isColor ? "colours of PLY faces are left out" : "properties of PLY faces are left out", property.name);
+  }
+}
+
+/// Reads the vertices of a file whose faces come before them. @param input  at the first element
+void readVerticesAhead(Input input, const Header& header, PolygonMesh& mesh) {
+  for (const Element& element : header.elements) {
+    if (element.name == "vertex") return readVertices(input, element, header.encoding, mesh);
+    skipElement(input, element, header.encoding);
   }
 }
 
@@ -52,6 +68,7 @@ PolygonMesh readPly(std::span<const std::byte> bytes, const std::filesystem::pat
     mesh.materials.back().name = picture;
     mesh.materials.back().baseColorPicture = picture;
   }
+  if (!header.elements.empty() && header.elements.front().name != "vertex") readVerticesAhead(input, header, mesh);
   std::optional<FaceBuilder> faces;
   bool hasFaces = false;
   for (const Element& element : header.elements) {
@@ -70,6 +87,8 @@ PolygonMesh readPly(std::span<const std::byte> bytes, const std::filesystem::pat
       skipElement(input, element, header.encoding);
     }
   }
+  if (faces && faces->passedOver() > 0)
+    notes.add("PLY faces of fewer than three corners are left out", fmt::format("{} faces", faces->passedOver()));
   if (mesh.faces.empty() && hasFaces) input.fail("no face of the PLY file has three corners");
   if (mesh.faces.empty())
     throw Error(ErrorCode::kUnsupported, "the PLY file has no faces; point clouds cannot be baked", file);

@@ -1,4 +1,4 @@
-// A file is binary if its length is what its number of triangles asks for.
+// A file is binary if its length is what its number of triangles asks for, or if it is no text.
 #include "bake/io/stl_reader.h"
 
 #include <fmt/format.h>
@@ -22,19 +22,24 @@ constexpr std::size_t kMaxName = 4096;
 
 class Reader {
  public:
-  Reader(std::span<const std::byte> bytes, const std::filesystem::path& file)
-      : bytes_(bytes), text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file_(file) {}
+  Reader(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes)
+      : bytes_(bytes), text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), file_(file), notes_(notes) {}
 
   PolygonMesh run() {
     std::uint32_t triangles = 0;
     if (bytes_.size() >= kHeader) std::memcpy(&triangles, bytes_.data() + kHeader - 4, 4);
-    const bool isBinary = bytes_.size() >= kHeader && bytes_.size() - kHeader == std::size_t{triangles} * kTriangle;
-    if (isBinary) {
-      readBinary(triangles);
-    } else if (text_.starts_with("solid")) {
+    const std::size_t held = bytes_.size() >= kHeader ? bytes_.size() - kHeader : 0;
+    const std::size_t needed = std::size_t{triangles} * kTriangle;
+    const bool isExact = bytes_.size() >= kHeader && held == needed;
+    if (!isExact && isText()) {
       readText();
+    } else if (bytes_.size() < kHeader) {
+      fail("neither a binary nor an ASCII STL file");
+    } else if (held < needed) {
+      fail(fmt::format("the STL file is cut off: it has {} of {} triangles", held / kTriangle, triangles));
     } else {
-      fail("neither a binary nor an ASCII STL file, or cut off");
+      if (!isExact) notes_.add("bytes after the last STL facet are left out", fmt::format("{} bytes", held - needed));
+      readBinary(triangles);
     }
     if (mesh_.faces.empty()) throw Error(ErrorCode::kUnsupported, "the STL file has no triangles", file_);
     shareCorners();
@@ -44,7 +49,21 @@ class Reader {
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw Error(ErrorCode::kMalformed, reason, file_); }
 
+  /// Binary files may begin with the same word; their numbers hold zero bytes.
+  bool isText() const {
+    constexpr std::size_t kSample = 1024;
+    return equalsKeyword(text_.substr(0, 5), "solid") && text_.substr(0, kSample).find('\0') == std::string_view::npos;
+  }
+
+  /// @param keyword  in lower case
+  static bool equalsKeyword(std::string_view word, std::string_view keyword) {
+    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
+      return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
+  }
+
   void readBinary(std::uint32_t triangles) {
+    std::size_t colored = 0;
     mesh_.positions.reserve(3 * std::size_t{triangles});
     for (std::size_t t = 0; t < triangles; ++t) {
       for (std::size_t k = 1; k <= 3; ++k) {
@@ -52,8 +71,12 @@ class Reader {
         std::memcpy(xyz, bytes_.data() + kHeader + t * kTriangle + 12 * k, sizeof xyz);
         addCorner(glm::dvec3(xyz[0], xyz[1], xyz[2]));
       }
+      std::uint16_t attribute = 0;
+      std::memcpy(&attribute, bytes_.data() + kHeader + (t + 1) * kTriangle - sizeof attribute, sizeof attribute);
+      colored += attribute != 0 ? 1 : 0;
       endFace();
     }
+    if (colored > 0) notes_.add("colours of STL facets are left out", fmt::format("{} facets", colored));
   }
 
   std::string_view word() {
@@ -85,16 +108,16 @@ class Reader {
   void readText() {
     std::size_t corners = 0;
     for (std::string_view keyword = word(); !keyword.empty(); keyword = word()) {
-      if (keyword == "solid") {
+      if (equalsKeyword(keyword, "solid")) {
         beginObject(restOfLine());
-      } else if (keyword == "endsolid") {
+      } else if (equalsKeyword(keyword, "endsolid")) {
         restOfLine();
-      } else if (keyword == "vertex") {
+      } else if (equalsKeyword(keyword, "vertex")) {
         const double x = number();
         const double y = number();
         addCorner({x, y, number()});
         ++corners;
-      } else if (keyword == "endloop") {
+      } else if (equalsKeyword(keyword, "endloop")) {
         if (corners != 3) fail("a facet of the STL file has no three vertices");
         endFace();
         corners = 0;
@@ -143,14 +166,15 @@ class Reader {
   std::span<const std::byte> bytes_;
   std::string_view text_;
   const std::filesystem::path& file_;
+  Notes& notes_;
   std::size_t at_ = 0;
   PolygonMesh mesh_;
 };
 
 }  // namespace
 
-PolygonMesh readStl(std::span<const std::byte> bytes, const std::filesystem::path& file) {
-  return Reader(bytes, file).run();
+PolygonMesh readStl(std::span<const std::byte> bytes, const std::filesystem::path& file, Notes& notes) {
+  return Reader(bytes, file, notes).run();
 }
 
 }  // namespace jalousie::bake

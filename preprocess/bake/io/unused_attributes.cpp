@@ -9,6 +9,8 @@
 namespace jalousie::bake {
 namespace {
 
+constexpr int kMostSets = 1024;
+
 /// What the materials of a primitive read.
 struct Used {
   std::set<int> texCoords;
@@ -58,11 +60,26 @@ void collectMaterial(const tinygltf::Model& model, int index, Used& used) {
   collect(material.extensions, used);
 }
 
-bool isUnused(const std::string& name, const Used& used) {
-  if (name == "TANGENT") return !used.tangents;
-  if (!name.starts_with("TEXCOORD_")) return false;
-  return std::none_of(used.texCoords.begin(), used.texCoords.end(),
-                      [&](int set) { return name == fmt::format("TEXCOORD_{}", set); });
+/// The texture coordinate sets of a primitive that stay. They are numbered without gaps: those below one that is used
+/// stay as well.
+std::set<std::string> keptSets(const tinygltf::Primitive& primitive, const Used& used) {
+  std::set<std::string> kept;
+  std::set<std::string> below;
+  for (int set = 0; !used.texCoords.empty() && set <= std::min(*used.texCoords.rbegin(), kMostSets); ++set) {
+    const std::string name = fmt::format("TEXCOORD_{}", set);
+    below.insert(name);
+    if (used.texCoords.contains(set) && primitive.attributes.contains(name)) kept = below;
+  }
+  return kept;
+}
+
+/// Textures of features and properties (EXT_mesh_features, EXT_structural_metadata) belong to no material.
+void collectPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, Used& used) {
+  collect(primitive.extensions, used);
+  for (const char* name : {"EXT_structural_metadata", "EXT_feature_metadata"}) {
+    const auto tables = model.extensions.find(name);
+    if (primitive.extensions.contains(name) && tables != model.extensions.end()) collect(tables->second, name, used);
+  }
 }
 
 std::vector<std::string> unusedOf(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
@@ -70,6 +87,7 @@ std::vector<std::string> unusedOf(const tinygltf::Model& model, const tinygltf::
   if (primitive.material < 0) return {};
   Used used;
   collectMaterial(model, primitive.material, used);
+  collectPrimitive(model, primitive, used);
   if (variants != primitive.extensions.end() && variants->second.IsObject()) {
     const tinygltf::Value& mappings = variants->second.Get("mappings");
     for (std::size_t i = 0; mappings.IsArray() && i < mappings.ArrayLen(); ++i) {
@@ -78,9 +96,11 @@ std::vector<std::string> unusedOf(const tinygltf::Model& model, const tinygltf::
         collectMaterial(model, mapping.Get("material").GetNumberAsInt(), used);
     }
   }
+  const std::set<std::string> kept = keptSets(primitive, used);
   std::vector<std::string> names;
   for (const auto& [name, accessor] : primitive.attributes)
-    if (isUnused(name, used)) names.push_back(name);
+    if (name == "TANGENT" ? !used.tangents : name.starts_with("TEXCOORD_") && !kept.contains(name))
+      names.push_back(name);
   return names;
 }
 

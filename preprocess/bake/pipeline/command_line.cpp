@@ -347,12 +347,25 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
 }
 
+/// Refuses an output whose name says that it is of another kind. Errors: kUsage.
+void requireGlb(const CommandLine& result) {
+  if (isBatch(result)) return;
+  const std::string extension = CLI::detail::to_lower(result.output.extension().string());
+  for (const char* other : {".gltf", ".obj", ".ply", ".stl", ".png", ".jpg", ".jpeg", ".webp", ".json", ".html"})
+    if (extension == other)
+      throw Error(ErrorCode::kUsage,
+                  fmt::format("the output is a GLB file; give it a name that ends in .glb, not {}", extension),
+                  result.output);
+}
+
 /// Checks options against each other.
 void checkOptions(const CLI::App& program, const CommandLine& result) {
   const ChainOptions& chain = result.bake.chain;
   for (const char* weight : {"--weight-normal", "--weight-uv", "--weight-color"})
     if (chain.preset == Preset::kDraft && program.count(weight) > 0)
       throw Error(ErrorCode::kUsage, fmt::format("{} has no effect with --preset draft; use best or fast", weight));
+  if (chain.preset == Preset::kDraft && program.count("--budget") > 0 && result.bake.sceneBudget)
+    throw Error(ErrorCode::kUsage, "--budget scene has no effect with --preset draft; use best or fast");
   if (std::adjacent_find(chain.ratios.begin(), chain.ratios.end(), std::less_equal<>()) != chain.ratios.end())
     throw Error(ErrorCode::kUsage, "--ratios must descend, e.g. 0.5,0.25,0.1");
   if (chain.ratios.size() >= kMaxLevels)
@@ -368,6 +381,7 @@ void checkOptions(const CLI::App& program, const CommandLine& result) {
     throw Error(ErrorCode::kUsage, "inputs is required (see jalousie-bake --help)");
   if (program.count("--cache-limit") > 0 && result.cache.empty())
     throw Error(ErrorCode::kUsage, "--cache-limit has no effect without --cache");
+  requireGlb(result);
   if (result.keepExtension && !isBatch(result))
     throw Error(ErrorCode::kUsage, "--keep-extension has no effect if the output is one file");
 }
