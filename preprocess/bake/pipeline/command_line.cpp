@@ -351,11 +351,13 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
 void requireGlb(const CommandLine& result) {
   if (isBatch(result)) return;
   const std::string extension = CLI::detail::to_lower(result.output.extension().string());
-  for (const char* other : {".gltf", ".obj", ".ply", ".stl", ".png", ".jpg", ".jpeg", ".webp", ".json", ".html"})
-    if (extension == other)
+  for (const char* other : {".gltf", ".obj", ".ply", ".stl", ".png", ".jpg", ".jpeg", ".webp", ".json", ".html"}) {
+    if (extension == other) {
       throw Error(ErrorCode::kUsage,
                   fmt::format("the output is a GLB file; give it a name that ends in .glb, not {}", extension),
                   result.output);
+    }
+  }
 }
 
 /// Checks options against each other.
