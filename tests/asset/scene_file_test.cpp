@@ -1,6 +1,7 @@
 // Flattening: chains, instances, geometry conversion, materials, cameras and their tracks.
 #include "asset/scene_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -224,15 +225,15 @@ TEST(SceneFile, PointsAndLinesAreLooseGeometry) {
     EXPECT_TRUE(scene.ignored.empty());
     EXPECT_TRUE(scene.instances.empty() && scene.chains.empty());
     EXPECT_EQ(scene.looseInstances.size(), 1U);
-    const LooseGeometry geometry = scene.looseGeometries.at(0);
+    LooseGeometry geometry = scene.looseGeometries.at(0);
     EXPECT_EQ(measureScene(model).looseInstances, 1U);
     EXPECT_GE(measureScene(model).looseVertices, geometry.points.size() + geometry.lines.size());
     return geometry;
   };
   const auto places = [](const std::vector<LooseVertex>& vertices) {
-    std::vector<glm::vec3> positions;
-    for (const LooseVertex& vertex : vertices)
-      positions.push_back(vertex.position);
+    std::vector<glm::vec3> positions(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), positions.begin(),
+                   [](const LooseVertex& v) { return v.position; });
     return positions;
   };
   EXPECT_EQ(places(loose(TINYGLTF_MODE_POINTS).points), corners);
