@@ -32,7 +32,7 @@ std::string binaryStl(const asset::Primitive& mesh) {
     put(normal, 12);
     for (std::size_t k = 0; k < 3; ++k)
       put(&mesh.positions[mesh.indices[3 * t + k]], 12);
-    put("\0\0", 2);
+    text.append(2, '\0');  // the attribute
   }
   return text;
 }

@@ -34,9 +34,10 @@ asset::SceneFile boxAndSegment() {
   test::addInstance(file, 0, {-0.5F, 0, 0}, glm::vec3(1));
   asset::LooseGeometry geometry;
   geometry.lines = {corner({-0.9F, 0.3F, -0.5F}, {1, 0, 0}), corner({0.9F, 0.3F, -0.5F}, {1, 0, 0})};
-  for (int i = 0; i < 25; ++i)
-    geometry.points.push_back(
-        corner({-0.8F + 0.1F * static_cast<float>(i % 5), 0.1F * static_cast<float>(i / 5 - 6), 0.4F}, {0, 1, 0}));
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 5; ++column)
+      geometry.points.push_back(
+          corner({-0.8F + 0.1F * static_cast<float>(column), 0.1F * static_cast<float>(row - 6), 0.4F}, {0, 1, 0}));
   file.looseGeometries.push_back(geometry);
   file.looseInstances.push_back({0, glm::mat4(1.0F), 0});
   return file;
