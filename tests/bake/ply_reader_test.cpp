@@ -235,11 +235,12 @@ TEST(PlyReader, StripsBecomeTrianglesOfOneWinding) {
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n";
   const TriangleMesh mesh = onlyPartOf(text);
   ASSERT_EQ(mesh.indices.size(), 12U);
-  for (std::size_t i = 0; i < 12; i += 3)
-    EXPECT_GT(glm::cross(mesh.positions[mesh.indices[i + 1]] - mesh.positions[mesh.indices[i]],
-                         mesh.positions[mesh.indices[i + 2]] - mesh.positions[mesh.indices[i]])
-                  .z,
-              0.5F);
+  for (std::size_t i = 0; i < 12; i += 3) {
+    const glm::vec3 first = mesh.positions[mesh.indices[i]];
+    const glm::vec3 normal =
+        glm::cross(mesh.positions[mesh.indices[i + 1]] - first, mesh.positions[mesh.indices[i + 2]] - first);
+    EXPECT_GT(normal.z, 0.5F);
+  }
   std::string bad = text;
   bad.replace(bad.rfind("-1"), 2, "-2");
   EXPECT_EQ(codeOf([&] { onlyPartOf(bad); }), ErrorCode::kMalformed);
