@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asset/accessor_budget.h"
+#include "asset/scene_motion.h"
 
 namespace jalousie::asset::detail {
 
@@ -39,6 +40,21 @@ struct ShownMesh {
 };
 /// @pre the node has a mesh
 ShownMesh shownMesh(const tinygltf::Model& model, int node);
+
+/// Where the joints and weights of a mesh lie in a SceneMotion.
+struct BendingTables {
+  std::uint32_t firstJoint = 0;
+  std::uint32_t joints = 0;  ///< of the skin; 0: none
+  std::uint32_t firstWeight = 0;
+};
+
+/// What moves the vertices of a primitive whose attributes are not bent yet. Errors: as applyPose.
+PrimitiveBending readBending(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                             const BendingTables& tables, ElementBudget& budget, const PosedVertices& vertices);
+/// The bending of a primitive whose vertices are not shared any more, and have the normals of their triangles.
+/// @param indices  of the triangles' corners   Errors: kLimit.
+PrimitiveBending flatBending(const PrimitiveBending& shared, const std::vector<std::uint32_t>& indices,
+                             ElementBudget& budget);
 
 /// Moves the vertices of a primitive: morph targets first, then the skin (glTF 2.0, 3.7.2.2 and 3.7.3.3). Weights of
 /// joints are taken as they are.

@@ -92,9 +92,9 @@ bool NodeMotion::moves(int node) const {
   return isMoved("translation") || isMoved("rotation") || isMoved("scale");
 }
 
-const NodeMotion::Keys& NodeMotion::keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property) {
+const MotionKeys& NodeMotion::keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property) {
   const auto [place, isNew] = keys_.try_emplace({&sampler, property});
-  Keys& keys = place->second;
+  MotionKeys& keys = place->second;
   if (!isNew) return keys;
   const std::uint64_t most = limits_.maxAccessorElements;
   keys.times = readScalars(model_, sampler.input, most);
@@ -128,7 +128,7 @@ float NodeMotion::lastKey(int node) {
 std::vector<double> NodeMotion::valueAt(int node, const std::string& property, double seconds) {
   const tinygltf::AnimationSampler* sampler = samplerOf(node, property);
   if (sampler == nullptr) return {};
-  const Keys& keys = keysOf(*sampler, property);
+  const MotionKeys& keys = keysOf(*sampler, property);
   const bool cubic = sampler->interpolation == "CUBICSPLINE";
   const bool turns = property == "rotation";
   const Between at = between(keys.times, seconds);

@@ -13,6 +13,13 @@
 
 namespace jalousie::asset {
 
+/// Keys of a sampler. CUBICSPLINE has three values a key: in-tangent, value, out-tangent.
+struct MotionKeys {
+  std::vector<float> times;   ///< seconds, ascending
+  std::vector<float> values;  ///< width numbers each
+  std::size_t width = 0;
+};
+
 /// Evaluates the animations of a document: LINEAR (slerp for rotations), STEP and CUBICSPLINE (glTF 2.0, appendix C).
 /// For each property of a node, the first channel of any animation that moves it counts. Before the first key and after
 /// the last one, a property has their values. Keys are read at their first use and kept.
@@ -28,6 +35,9 @@ class NodeMotion {
   /// Time of the last key of all channels that move a node, seconds; 0 without. Errors: as transformAt.
   float lastKey(int node);
 
+  /// The keys of a property, "translation", "rotation", "scale" or "weights", that a sampler moves. Errors: as
+  /// transformAt.
+  const MotionKeys& keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property);
   /// parentFromNode at a time in seconds. Errors: kMalformed for keys that do not fit together, kLimit.
   glm::dmat4 transformAt(int node, double seconds);
   /// Weights of the morph targets of a node's mesh at a time: animated, else of the node, else of the mesh, else zeros.
@@ -37,20 +47,13 @@ class NodeMotion {
   std::vector<double> restWeights(int node) const;
 
  private:
-  /// Keys of a sampler. CUBICSPLINE has three values a key: in-tangent, value, out-tangent.
-  struct Keys {
-    std::vector<float> times;   ///< seconds, ascending
-    std::vector<float> values;  ///< width numbers each
-    std::size_t width = 0;
-  };
-  const Keys& keysOf(const tinygltf::AnimationSampler& sampler, const std::string& property);
   /// The value of a property at a time; empty if nothing moves it.
   std::vector<double> valueAt(int node, const std::string& property, double seconds);
 
   const tinygltf::Model& model_;
   const Limits& limits_;
   std::map<std::pair<int, std::string>, const tinygltf::AnimationSampler*> samplers_;  ///< by node and property
-  std::map<std::pair<const tinygltf::AnimationSampler*, std::string>, Keys> keys_;
+  std::map<std::pair<const tinygltf::AnimationSampler*, std::string>, MotionKeys> keys_;
 };
 
 /// Requires that times of keys are finite and ascend. Errors: kMalformed.

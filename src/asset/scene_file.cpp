@@ -15,6 +15,7 @@
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_group.h"
+#include "asset/motion_reader.h"
 #include "asset/node_graph.h"
 #include "asset/scene_camera.h"
 #include "asset/scene_group.h"
@@ -52,16 +53,18 @@ enum class Keep { kAll, kNothing };
 
 class SceneReader {
  public:
-  SceneReader(const Model& model, const Limits& limits, Keep keep, std::optional<double> seconds)
+  SceneReader(const Model& model, const Limits& limits, Keep keep, const SceneReading& reading)
       : model_(model),
         limits_(limits),
         keep_(keep),
         budget_{demandLimit(model, limits)},
         motion_(model, limits),
         cameras_(model, limits, motion_),
-        pose_(model, motion_, seconds),
+        pose_(model, motion_, reading.seconds),
         groups_(model),
-        groupReader_(model, limits, pose_, groups_) {}
+        groupReader_(model, limits, pose_, groups_) {
+    if (reading.plays) player_.emplace(model, motion_);
+  }
 
   /// @param size  of the scene, for the vectors that are filled element by element
   SceneFile read(const SceneSize& size) {
@@ -87,8 +90,15 @@ class SceneReader {
         stack.push_back({*child, worldFromNode, isInGroup});
     }
     detail::placeNearOrigin(scene_, {places_, loosePlaces_});
+    if (player_) {
+      scene_.motion = player_->take(scene_.originWorld);
+      detail::placeSkins(scene_, places_);
+    }
     return std::move(scene_);
   }
+
+  /// Animations that were not read, though they were asked for.
+  const ContentCounts& notPlayed() const { return notPlayed_; }
 
  private:
   void readMaterials() {
@@ -137,6 +147,7 @@ class SceneReader {
       const std::optional<std::uint32_t> group = groupChainOf(visit.node, worldFromNode);
       if (!group) return;
       beginNode(visit.node);
+      follow(visit.node, glm::dmat4(1.0));
       addInstance(*group, worldFromNode);
       return;
     }
@@ -217,6 +228,7 @@ class SceneReader {
     const auto known = groupMeshes_.find(level);
     if (known != groupMeshes_.end()) return known->second;
     detail::LevelMesh read = groupReader_.read(level, place, scene_.materials, budget_);
+    countAnimatedParts(level, place.group);
     GroupMesh mesh{std::nullopt, read.parts};
     if (!read.mesh.primitives.empty()) {
       mesh.level = {static_cast<std::uint32_t>(scene_.meshes.size()), read.errorObject, read.meanErrorObject};
@@ -224,6 +236,15 @@ class SceneReader {
     }
     groupMeshes_.emplace(level, mesh);
     return mesh;
+  }
+
+  /// Parts of a group stay as they are at rest.
+  void countAnimatedParts(const detail::GroupLevel& level, int group) {
+    if (!player_) return;
+    const auto rest = [this](int node) { return localTransform(model_.nodes[static_cast<std::size_t>(node)]); };
+    for (const detail::GroupPart& part : groups_.parts(level.content, rest))
+      if (player_->movesWithin(part.node, group) || player_->bends(part.node))
+        ++notPlayed_["animated parts of groups with levels"];
   }
 
   /// A chain ends at its first level without triangles.
@@ -256,10 +277,19 @@ class SceneReader {
     const auto known = meshes_.find(shown);
     if (known != meshes_.end()) return known->second;
     const detail::MeshPose pose = shown.posedNode >= 0 ? pose_.meshPose(shown.posedNode) : detail::MeshPose{};
-    Mesh read = detail::readMesh(model_, shown.mesh, {scene_.materials, budget_, pose});
+    const bool isBent = player_ && shown.posedNode >= 0 && player_->bends(shown.posedNode);
+    const detail::BendingTables tables = isBent ? player_->tablesOf(shown.posedNode) : detail::BendingTables{};
+    MeshBending bending;
+    Mesh read = detail::readMesh(model_, shown.mesh, {scene_.materials, budget_, pose, isBent ? &tables : nullptr},
+                                 &bending.primitives);
     std::optional<PosedMesh> mesh;
     if (!read.primitives.empty()) {
-      mesh = {static_cast<std::uint32_t>(scene_.meshes.size()), static_cast<float>(pose.largestScale())};
+      const bool isLevel = lodInfo(model_.meshes[static_cast<std::size_t>(shown.mesh)]).has_value();
+      const double scale = isBent && isLevel ? player_->largestScale(shown.posedNode) : pose.largestScale();
+      mesh = {static_cast<std::uint32_t>(scene_.meshes.size()), static_cast<float>(scale)};
+      bending.mesh = mesh->index;
+      bending.firstWeight = tables.firstWeight;
+      if (isBent) player_->addMesh(std::move(bending));
       scene_.meshes.push_back(std::move(read));
     }
     meshes_.emplace(shown, mesh);
@@ -269,14 +299,32 @@ class SceneReader {
   void addInstances(int node, std::uint32_t chain, const glm::dmat4& worldFromNode) {
     const InstanceTransforms instances = readInstances(model_, node, limits_);
     beginNode(node);
-    if (instances.count == 0) addInstance(chain, worldFromNode);
+    if (instances.count == 0) {
+      follow(node, glm::dmat4(1.0));
+      addInstance(chain, worldFromNode);
+    }
     const bool once = keep_ == Keep::kNothing && instances.areEqual();
     for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
       const glm::dmat4 worldFromObject = worldFromNode * instances.nodeFromInstance(i);
       if (!isFinite(glm::dmat4(glm::mat4(worldFromObject))))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
+      follow(node, instances.nodeFromInstance(i));
       addInstance(chain, worldFromObject);
     }
+  }
+
+  /// Notes that the instance which is added next follows a node.
+  void follow(int node, const glm::dmat4& nodeFromInstance) {
+    if (keep_ == Keep::kAll && player_ && model_.nodes[static_cast<std::size_t>(node)].skin < 0)
+      player_->addInstance(static_cast<std::uint32_t>(scene_.instances.size()), node, nodeFromInstance);
+  }
+
+  /// The same for points and lines. Those that a skin or morph targets move stay as they are at rest.
+  void followLoose(int node, const glm::dmat4& nodeFromInstance) {
+    if (!player_) return;
+    if (player_->bends(node)) ++notPlayed_["animated points and lines"];
+    if (model_.nodes[static_cast<std::size_t>(node)].skin < 0)
+      player_->addLooseInstance(static_cast<std::uint32_t>(scene_.looseInstances.size()), node, nodeFromInstance);
   }
 
   /// Adds the points and lines of a node's mesh. @param first  the instance that the node's first one is, if it has any
@@ -290,11 +338,13 @@ class SceneReader {
     budget_.take(saturatingProduct(copies, shown.points.size() + shown.lines.size()));
     if (keep_ != Keep::kAll) return;
     for (std::uint64_t i = 0; i < copies; ++i) {
-      const glm::dmat4 world = instances.count > 0 ? worldFromNode * instances.nodeFromInstance(i) : worldFromNode;
+      const glm::dmat4 own = instances.count > 0 ? instances.nodeFromInstance(i) : glm::dmat4(1.0);
+      const glm::dmat4 world = worldFromNode * own;
       if (!isFinite(glm::dmat4(glm::mat4(world))))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
       std::optional<std::uint32_t> instance;
       if (first + i < scene_.instances.size()) instance = static_cast<std::uint32_t>(first + i);
+      followLoose(node, own);
       scene_.looseInstances.push_back({*geometry, glm::mat4(world), instance});
       loosePlaces_.emplace_back(world[3]);
     }
@@ -336,6 +386,8 @@ class SceneReader {
   detail::ScenePose pose_;
   detail::LodGroups groups_;
   detail::GroupReader groupReader_;
+  std::optional<detail::MotionReader> player_;  ///< if animations are read
+  ContentCounts notPlayed_;
   std::uint64_t pixelBytes_ = 0;
   SceneFile scene_;
   std::vector<glm::dvec3> places_;                            ///< of the instances' origins
@@ -351,12 +403,15 @@ class SceneReader {
 SceneFile read(const Model& model, const std::filesystem::path& path, const Limits& limits, Keep keep,
                const SceneReading& reading) {
   try {
-    const SceneSize size = measureScene(model, limits);
+    SceneSize size = measureScene(model, limits);
+    if (!reading.plays) size.motionBytes = 0;
     if (size.instances > limits.maxInstances)
       throw Error(ErrorCode::kLimit, fmt::format("{} instances, the limit is {}", size.instances, limits.maxInstances));
     if (reading.check) reading.check(size);
-    SceneFile scene = SceneReader(model, limits, keep, reading.seconds).read(size);
-    scene.ignored = ignoredContent(model, reading.seconds.has_value());
+    SceneReader reader(model, limits, keep, reading);
+    SceneFile scene = reader.read(size);
+    scene.ignored = ignoredContent(model, reading.seconds.has_value() || reading.plays);
+    scene.ignored.insert(reader.notPlayed().begin(), reader.notPlayed().end());
     return scene;
   } catch (const Error& error) {
     if (!error.file().empty()) throw;

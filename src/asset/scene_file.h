@@ -24,6 +24,9 @@ struct SceneReading {
   SizeCheck check = {};  ///< called with the scene's size before anything of it is allocated; may be empty
   std::optional<double> seconds = std::nullopt;  ///< time of the animations of nodes, skins and morph targets; absent:
                                                  ///< the pose without animations. Cameras have their whole paths
+  /// Reads the animations of nodes, skins and morph targets as SceneFile::motion. The scene itself then has the pose
+  /// without animations. @pre without seconds
+  bool plays = false;
 };
 
 /// Reads the default scene (or scene 0, or all root nodes) of a glTF or GLB file. Nodes listed only in MSFT_lod are

@@ -133,19 +133,24 @@ std::uint32_t materialOf(const Source& source, const MeshContext& context) {
 }
 
 /// Reads the attributes of a primitive and bends them. Normals stay empty where the file has none, and are not unit.
-void readAttributes(const Source& source, const MeshContext& context, Primitive& primitive) {
+/// @param bending  as readMesh, of one primitive; may be null
+void readAttributes(const Source& source, const MeshContext& context, Primitive& primitive,
+                    PrimitiveBending* bending = nullptr) {
   primitive.positions = attribute<glm::vec3>(source, "POSITION", {}, readVec3);
   primitive.uvs = attribute<glm::vec2>(source, "TEXCOORD_0", glm::vec2(0.0F), readVec2);
   if (usesSecondUvs(context.materials[primitive.material]))
     primitive.uvs1 = attribute<glm::vec2>(source, "TEXCOORD_1", glm::vec2(0.0F), readVec2);
   primitive.colors = attribute<glm::vec4>(source, "COLOR_0", glm::vec4(1.0F), readVec4);
   if (source.accessor("NORMAL") >= 0) primitive.normals = attribute<glm::vec3>(source, "NORMAL", {}, readVec3);
+  if (bending != nullptr)
+    *bending = readBending(source.model, source.primitive, *context.tables, context.budget,
+                           {primitive.positions, primitive.normals});
   if (context.pose.isRest()) return;
   applyPose(source.model, source.primitive, context.pose, context.budget, {primitive.positions, primitive.normals});
   requireFinite(primitive.positions, source.mesh, "a pose is not finite");
 }
 
-Primitive readPrimitive(Source source, const MeshContext& context) {
+Primitive readPrimitive(Source source, const MeshContext& context, PrimitiveBending* bending) {
   ElementBudget& budget = context.budget;
   countVertices(source, budget);
   Primitive primitive;
@@ -154,8 +159,9 @@ Primitive readPrimitive(Source source, const MeshContext& context) {
   if (primitive.indices.empty()) return primitive;
   const bool flat = source.accessor("NORMAL") < 0;
   if (flat) budget.take(primitive.indices.size());
-  readAttributes(source, context, primitive);
+  readAttributes(source, context, primitive, bending);
   if (flat) {
+    if (bending != nullptr) *bending = flatBending(*bending, primitive.indices, budget);
     makeFlat(primitive);
     return primitive;
   }
@@ -213,7 +219,8 @@ void ElementBudget::take(std::uint64_t elements) {
   left -= elements;
 }
 
-Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context) {
+Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context,
+              std::vector<PrimitiveBending>* bending) {
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(mesh)];
   Mesh result;
   result.name = source.name;
@@ -221,9 +228,12 @@ Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || !primitive.attributes.contains("POSITION")) continue;
-    Primitive read = readPrimitive({model, primitive, mesh}, context);
+    PrimitiveBending own;
+    const bool isBent = context.tables != nullptr && bending != nullptr;
+    Primitive read = readPrimitive({model, primitive, mesh}, context, isBent ? &own : nullptr);
     if (read.indices.empty()) continue;
-    if (!cells.empty()) read.cellEnds = cellEnds(cells[p]);
+    if (isBent) bending->push_back(std::move(own));
+    if (!cells.empty() && !isBent) read.cellEnds = cellEnds(cells[p]);
     result.primitives.push_back(std::move(read));
   }
   return result;

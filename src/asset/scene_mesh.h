@@ -16,12 +16,15 @@ namespace jalousie::asset::detail {
 struct MeshContext {
   const std::vector<Material>& materials;  ///< of the scene; the last one is for primitives that name none
   ElementBudget& budget;
-  const MeshPose& pose;  ///< how the mesh is bent
+  const MeshPose& pose;                   ///< how the mesh is bent
+  const BendingTables* tables = nullptr;  ///< where an animated mesh finds its joints and weights; may be null
 };
 
-/// Reads the triangles of a mesh. Primitives without triangles (points, lines, no POSITION) are left out.
+/// Reads the triangles of a mesh. @param bending  gets the bending of each primitive, if context.tables is there and
+/// this is not null. Primitives without triangles (points, lines, no POSITION) are left out.
 /// Errors: kMalformed, kLimit.
-Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context);
+Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context,
+              std::vector<PrimitiveBending>* bending = nullptr);
 
 /// Whether a mesh has points or lines.
 bool hasLooseGeometry(const tinygltf::Mesh& mesh);

@@ -1,6 +1,7 @@
 // The middle of the scene's box, in double precision, rounded to whole units.
 #include "asset/scene_origin.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -82,6 +83,31 @@ void placeNearOrigin(SceneFile& scene, const Places& places) {
   for (Camera& camera : scene.cameras) {
     camera.worldFromCamera[3] -= offset;
     camera.worldFromParent[3] -= offset;
+  }
+}
+
+void placeSkins(SceneFile& scene, std::span<const glm::dvec3> instances) {
+  if (scene.originWorld == glm::dvec3(0.0)) return;
+  std::vector<bool> isSkin(scene.meshes.size(), false);
+  const auto shift = [&](std::vector<glm::vec3>& positions) {
+    for (glm::vec3& position : positions)
+      position = glm::vec3(glm::dvec3(position) - scene.originWorld);
+  };
+  for (MeshBending& bending : scene.motion.meshes) {
+    if (std::none_of(bending.primitives.begin(), bending.primitives.end(),
+                     [](const PrimitiveBending& p) { return p.isSkinned; }))
+      continue;
+    isSkin[bending.mesh] = true;
+    for (std::size_t p = 0; p < bending.primitives.size(); ++p) {
+      shift(scene.meshes[bending.mesh].primitives[p].positions);
+      if (!bending.primitives[p].isSkinned) shift(bending.primitives[p].positions);
+    }
+  }
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    Instance& instance = scene.instances[i];
+    if (!isSkin[scene.chains[instance.chain].levels.front().mesh]) continue;
+    const glm::dmat3 axes{glm::mat3(instance.worldFromObject)};
+    instance.worldFromObject[3] = glm::vec4(axes * scene.originWorld + instances[i] - scene.originWorld, 1.0);
   }
 }
 

@@ -19,4 +19,8 @@ struct Places {
 /// 1/16. Other scenes stay as they are.
 void placeNearOrigin(SceneFile& scene, const Places& places);
 
+/// Makes the vertices of animated skins relative to SceneFile::originWorld, as their joints are, instead of their
+/// instances. @param instances  as Places
+void placeSkins(SceneFile& scene, std::span<const glm::dvec3> instances);
+
 }  // namespace jalousie::asset::detail

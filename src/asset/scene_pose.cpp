@@ -9,9 +9,7 @@
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
-namespace {
 
-/// The inverse bind matrices of a skin; identities where it has none.
 std::vector<glm::dmat4> inverseBindMatrices(const tinygltf::Model& model, const tinygltf::Skin& skin) {
   std::vector<glm::dmat4> matrices(skin.joints.size(), glm::dmat4(1.0));
   if (skin.inverseBindMatrices < 0) return matrices;
@@ -24,8 +22,6 @@ std::vector<glm::dmat4> inverseBindMatrices(const tinygltf::Model& model, const 
   });
   return matrices;
 }
-
-}  // namespace
 
 ScenePose::ScenePose(const tinygltf::Model& model, NodeMotion& motion, std::optional<double> seconds)
     : model_(model), seconds_(seconds), motion_(motion) {}

@@ -12,6 +12,9 @@
 
 namespace jalousie::asset::detail {
 
+/// The inverse bind matrices of a skin; identities where it has none.
+std::vector<glm::dmat4> inverseBindMatrices(const tinygltf::Model& model, const tinygltf::Skin& skin);
+
 /// Where nodes are, and how their meshes are bent.
 class ScenePose {
  public:

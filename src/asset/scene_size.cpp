@@ -21,6 +21,8 @@
 #include "asset/scene_material.h"
 #include "asset/scene_mesh.h"
 #include "core/memory_estimate.h"
+#include "shared/motion_structs.h"
+#include "shared/scene_structs.h"
 
 namespace jalousie::asset {
 namespace {
@@ -62,6 +64,7 @@ class Counter {
         stack.push_back({child, isInGroup});
     }
     size_.cameraKeys = cameraKeys();
+    countMotion();
     if (hasSecondUvs_) size_.secondUvs = size_.vertices;
     return std::move(size_);
   }
@@ -183,21 +186,27 @@ class Counter {
     size_.cellEnds += cellCount(lodCells(model_, source)) * source.primitives.size();
     size_.vertices += size.vertices;
     size_.indices += size.indices;
+    if (mesh.posedNode >= 0) countBending(source);
     return size;
   }
 
   MeshSize sizeOf(const tinygltf::Mesh& source) const {
     MeshSize size;
     for (const tinygltf::Primitive& primitive : source.primitives) {
-      const auto position = primitive.attributes.find("POSITION");
-      if (primitive.mode < TINYGLTF_MODE_TRIANGLES || position == primitive.attributes.end()) continue;
-      const std::uint64_t vertices = elements(position->second);
-      std::uint64_t indices = primitive.indices >= 0 ? elements(primitive.indices) : vertices;
-      if (primitive.mode != TINYGLTF_MODE_TRIANGLES) indices *= 3;  // strips and fans become triangles
-      size.indices += indices;
-      size.vertices += primitive.attributes.contains("NORMAL") ? vertices : std::max(vertices, indices);
+      const MeshSize own = sizeOf(primitive);
+      size.indices += own.indices;
+      size.vertices += own.vertices;
     }
     return size;
+  }
+
+  MeshSize sizeOf(const tinygltf::Primitive& primitive) const {
+    const auto position = primitive.attributes.find("POSITION");
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES || position == primitive.attributes.end()) return {};
+    const std::uint64_t vertices = elements(position->second);
+    std::uint64_t indices = primitive.indices >= 0 ? elements(primitive.indices) : vertices;
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES) indices *= 3;  // strips and fans become triangles
+    return {primitive.attributes.contains("NORMAL") ? vertices : std::max(vertices, indices), indices};
   }
 
   /// Keys of the channels that move cameras; channels that share their keys count once.
@@ -213,6 +222,35 @@ class Counter {
       }
     }
     return keys;
+  }
+
+  /// Keys, nodes and joints, each once; bent vertices were counted with their meshes.
+  void countMotion() {
+    if (model_.animations.empty()) {
+      size_.motionBytes = 0;
+      return;
+    }
+    for (const tinygltf::Animation& animation : model_.animations)
+      for (const tinygltf::AnimationSampler& sampler : animation.samplers)
+        addProduct(elements(sampler.input) + 4 * elements(sampler.output), sizeof(float), size_.motionBytes);
+    addProduct(model_.nodes.size(), sizeof(gpu::MotionNode), size_.motionBytes);
+    addProduct(size_.instances + size_.looseInstances, sizeof(gpu::MotionTarget), size_.motionBytes);
+    addProduct(size_.looseVertices, sizeof(gpu::BentVertex), size_.motionBytes);
+    for (const tinygltf::Skin& skin : model_.skins)
+      addProduct(skin.joints.size(), sizeof(gpu::MotionTarget) + sizeof(gpu::Transform), size_.motionBytes);
+  }
+
+  /// What plays a mesh that a skin or morph targets bend.
+  void countBending(const tinygltf::Mesh& mesh) {
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      const MeshSize size = sizeOf(primitive);
+      std::uint64_t sets = 0;
+      while (primitive.attributes.contains("JOINTS_" + std::to_string(sets)))
+        ++sets;
+      const std::uint64_t each = sizeof(gpu::BentVertex) + 4 * sets * sizeof(gpu::Influence) +
+                                 primitive.targets.size() * sizeof(gpu::MorphDelta);
+      addProduct(size.vertices, each, size_.motionBytes);
+    }
   }
 
   const Model& model_;

@@ -32,6 +32,7 @@ struct SceneSize {
   std::uint64_t levelTriangles = 0;    ///< LOD 0 of every chain, times the chain's levels
   std::uint64_t cells = 0;             ///< that objects are drawn in; 0: objects are drawn whole
   std::uint64_t cellLevels = 0;        ///< of all chains of cells
+  std::uint64_t motionBytes = 0;       ///< of SceneMotion, at most; 0 without SceneReading::plays
   std::uint64_t cameras = 0;
   std::uint64_t cameraKeys = 0;   ///< keys that cameras share count once
   std::vector<ImageSize> images;  ///< textures, in the order of SceneFile::images

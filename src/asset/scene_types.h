@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/scene_motion.h"
 #include "core/image.h"
 #include "core/shared_vector.h"
 
@@ -169,6 +170,7 @@ struct SceneFile {
   /// Point of the document that all instances and cameras are placed relative to: 0, or the middle of a scene that is
   /// far from the document's origin, where a float has too few digits.
   glm::dvec3 originWorld{0.0};
+  SceneMotion motion;     ///< empty, unless it was asked for (SceneReading::plays)
   ContentCounts ignored;  ///< what the document holds that is not drawn
 };
 

@@ -51,6 +51,11 @@ class Buffer {
 
   /// glBindBufferBase.
   void bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
+  /// glBindBufferRange of a storage block. @pre offset is a multiple of GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT
+  void bindStorageRange(GLuint binding, std::size_t offsetBytes, std::size_t bytes) const {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, id(), static_cast<GLintptr>(offsetBytes),
+                      static_cast<GLsizeiptr>(bytes));
+  }
   void bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
   /// glBindBufferRange of a uniform block. @pre offset is a multiple of GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT
   void bindUniformRange(GLuint binding, std::size_t offsetBytes, std::size_t bytes) const {

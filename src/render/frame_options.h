@@ -46,7 +46,9 @@ struct FrameOptions : FramePolicy {
   std::optional<float> occluderTau;
   float cullThreshold = 1.0F;  ///< opacity from which a texel occludes; below 1 is not conservative
   bool cullCells = true;       ///< in scenes with cells: cull them one by one; false: as their objects
-  bool skipDraw = false;       ///< leave out what only the picture needs: statistics without a picture
+  /// Time of the scene's animations (SceneData::motion), seconds.
+  float seconds = 0.0F;
+  bool skipDraw = false;  ///< leave out what only the picture needs: statistics without a picture
 };
 
 /// What a renderer allocates and which paths it takes.

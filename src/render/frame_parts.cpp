@@ -57,6 +57,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
               lists,    early,    late,     draw,  targets, map,        pyramid},
       drawing(context, scene, shaders) {
   methods.resize(width, height);
+  if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);
 }
 
 void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cullCamera,

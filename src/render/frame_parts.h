@@ -7,6 +7,7 @@
 #include "render/frame_views.h"
 #include "render/make_statistics.h"
 #include "render/methods/method_table.h"
+#include "render/motion_pass.h"
 #include "scene/scene_data.h"
 #include "visibility/statistics_pass.h"
 
@@ -23,6 +24,7 @@ struct FrameParts {
   gpu::uint tessellationLimit;
   FinestTriangles finestTriangles;
   SceneBuffers buffers;
+  std::optional<MotionPass> motion;  ///< if something moves
   Targets targets;
   visibility::OcclusionMapPass map;
   visibility::DepthPyramidPass pyramid;

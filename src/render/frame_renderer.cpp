@@ -26,6 +26,10 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   glDisable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   parts.setViews(options, cullCamera, drawCamera);
+  if (parts.motion) {
+    const gl::PassTimer::Scope pass(parts.timer, "animate");
+    parts.motion->play(options.seconds, parts.buffers);
+  }
   method.prepare(parts.context);
   {
     const gl::PassTimer::Scope pass(parts.timer, "classify");
@@ -67,6 +71,7 @@ void FrameRenderer::resize(std::uint32_t width, std::uint32_t height) {
 void FrameRenderer::setTransforms(std::uint32_t first, std::span<const gpu::Transform> transforms) {
   JAL_CHECK(first <= parts_->buffers.transformCount());
   JAL_CHECK(transforms.size() <= parts_->buffers.transformCount() - first);
+  if (parts_->motion) parts_->motion->forget();
   parts_->buffers.transforms().write(sizeof(gpu::Transform) * first, std::as_bytes(transforms));
 }
 
@@ -107,6 +112,16 @@ ObjectReadout FrameRenderer::readObject(std::uint32_t index) const {
           objects.boxes.read<gpu::ScreenBox>(1, sizeof(gpu::ScreenBox) * index)[0],
           objects.marks.read<gpu::uint>(1, sizeof(gpu::uint) * index)[0],
           objects.pixelCounts.read<gpu::uint>(1, sizeof(gpu::uint) * index)[0]};
+}
+
+Aabb FrameRenderer::readBounds(std::uint32_t index) const {
+  JAL_CHECK(index < parts_->buffers.objectCount());
+  const gpu::Object& object = parts_->scene.objects[index];
+  const gpu::Transform transform =
+      parts_->buffers.transforms().read<gpu::Transform>(1, sizeof(gpu::Transform) * object.transform)[0];
+  const gpu::Chain chain = parts_->buffers.chains().read<gpu::Chain>(1, sizeof(gpu::Chain) * object.chain)[0];
+  return transformed(scene::worldFromObject(transform),
+                     {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
 }
 
 std::vector<gpu::ObjectState> FrameRenderer::readStates() const {

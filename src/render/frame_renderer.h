@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/aabb.h"
 #include "core/image.h"
 #include "core/timing.h"
 #include "render/frame_options.h"
@@ -87,6 +88,8 @@ class FrameRenderer {
   std::vector<std::uint32_t> readIds() const;
   /// @pre index < objectCount (checked)
   ObjectReadout readObject(std::uint32_t index) const;
+  /// World box of an object, where animations have taken it. @pre index < objectCount (checked)
+  Aabb readBounds(std::uint32_t index) const;
   std::vector<gpu::ObjectState> readStates() const;
   std::vector<gpu::ScreenBox> readBoxes() const;
   std::vector<gpu::uint> readMarks() const;

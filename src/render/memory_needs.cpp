@@ -57,6 +57,7 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
             sizeof(gpu::Lod) + sizeof(gpu::CellBounds) +
                 2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
             counted(size.cellLevels, "levels of cells"));
+  needs.add(size.motionBytes, 1, "animations");
   std::uint64_t texels = 0;
   for (const scene::TextureClass& size_ : scene::layoutTextures(size.images).classes)
     texels += size_.texels();

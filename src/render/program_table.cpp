@@ -1,4 +1,4 @@
-// One line per drawing program.
+// One line per program.
 #include "render/program_table.h"
 
 #include <iterator>
@@ -57,6 +57,10 @@ std::span<const gl::ProgramSource> programTable() {
       {"depth view", {"render/fullscreen.vert", "render/map_view.frag"}, {"JAL_DEPTH"}},
       {"overdraw view", {"render/fullscreen.vert", "render/overdraw_view.frag"}, {}},
       {"boxes", {"render/boxes.vert", "render/flat.frag"}, {}},
+      {"move nodes", {"motion/move_nodes.comp"}, {}},
+      {"move targets", {"motion/move_targets.comp"}, {}},
+      {"bend vertices", {"motion/bend_vertices.comp"}, {}},
+      {"bound poses", {"motion/bound_poses.comp"}, {}},
   };
   return kPrograms;
 }

@@ -1,4 +1,4 @@
-// The drawing programs, in one table that a test builds completely.
+// The programs that draw and that play animations, in one table that a test builds completely.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,10 @@ enum class ProgramId : unsigned {
   kDepthView,
   kOverdrawView,
   kBoxes,
+  kMoveNodes,
+  kMoveTargets,
+  kBendVertices,
+  kBoundPoses,
 };
 
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.

@@ -12,7 +12,7 @@
 
 namespace jalousie::render {
 
-/// Uploads a scene once; only the transforms may change afterwards.
+/// Uploads a scene once; only the transforms, and what animations move, may change afterwards.
 class SceneBuffers {
  public:
   /// Errors: kLimit if the driver's buffers or texture arrays cannot hold the scene.
@@ -27,6 +27,12 @@ class SceneBuffers {
   visibility::SceneBindings bindings() const;
   /// gpu::Transform [transformCount]: the application may write it, from the CPU or from a shader, between frames.
   gl::Buffer& transforms() { return transforms_; }
+  /// Buffers that animations write besides the transforms.
+  const gl::Buffer& vertices() const { return vertices_; }
+  const gl::Buffer& looseVertices() const { return looseVertices_; }
+  const gl::Buffer& chains() const { return chains_; }
+  const gl::Buffer& cellChains() const { return cellChains_; }
+  const gl::Buffer& cellBounds() const { return cellBounds_; }
   /// Binds vertex input, scene storage and textures for drawing the objects of an instance list.
   void bindForDrawing(const gl::Buffer& instances);
   /// Vertices of segments, and points.

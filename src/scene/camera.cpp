@@ -148,8 +148,12 @@ std::uint32_t frameCount(const asset::Camera& recorded) {
   float last = 0.0F;
   if (!recorded.track.translationTimes.empty()) last = std::max(last, recorded.track.translationTimes.back());
   if (!recorded.track.rotationTimes.empty()) last = std::max(last, recorded.track.rotationTimes.back());
+  return frameCount(last);
+}
+
+std::uint32_t frameCount(float seconds) {
   constexpr float kMostFrames = 1e9F;
-  return static_cast<std::uint32_t>(std::clamp(std::floor(last * kPathRate + 0.5F), 0.0F, kMostFrames)) + 1;
+  return static_cast<std::uint32_t>(std::clamp(std::floor(seconds * kPathRate + 0.5F), 0.0F, kMostFrames)) + 1;
 }
 
 }  // namespace jalousie::scene

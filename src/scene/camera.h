@@ -50,7 +50,13 @@ Camera frameBox(const Aabb& sceneWorld, float aspect);
 /// track ignores the frame.
 Camera cameraAtFrame(const asset::Camera& recorded, float frame);
 
-/// Number of frames from 0 to the last key, at least 1.
+/// Number of frames from 0 to a time, at least 1. @param seconds  of the last key
+std::uint32_t frameCount(float seconds);
+/// Number of frames from 0 to the last key of a camera, at least 1.
 std::uint32_t frameCount(const asset::Camera& recorded);
+/// Time of a frame of a path, and of the animations that play with it; seconds.
+inline float secondsAt(float frame) {
+  return frame / kPathRate;
+}
 
 }  // namespace jalousie::scene

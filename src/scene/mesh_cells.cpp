@@ -9,6 +9,7 @@
 
 #include "asset/cell_tree.h"
 #include "core/error.h"
+#include "scene/motion_data.h"
 
 namespace jalousie::scene {
 namespace {
@@ -108,6 +109,7 @@ class Division {
     for (const asset::Instance& instance : file.instances)
       ++instances_[instance.chain];
     usedBy_.resize(file.meshes.size());
+    bent_ = bentMeshes(file);
     for (const asset::Chain& chain : file.chains) {
       for (std::size_t k = 0; k < chain.levels.size(); ++k) {
         const auto known = std::find_if(chain.levels.begin(), chain.levels.begin() + static_cast<std::ptrdiff_t>(k),
@@ -142,7 +144,14 @@ class Division {
   bool automatic() const { return options_.kind == CellOptions::Kind::kAutomatic; }
   const Mesh& finest(std::size_t chain) const { return file_.meshes[file_.chains[chain].levels.front().mesh]; }
 
+  /// The boxes of cells would have to follow the pose: a bent mesh is one cell.
+  bool isBent(std::size_t chain) const {
+    const std::vector<asset::LodLevel>& levels = file_.chains[chain].levels;
+    return std::any_of(levels.begin(), levels.end(), [&](const asset::LodLevel& level) { return bent_[level.mesh]; });
+  }
+
   Candidate candidateOf(std::size_t chain) const {
+    if (isBent(chain)) return {chain, 1, false, kAll};
     const std::uint32_t fromFile = automatic() ? storedCells(finest(chain)) : 0;
     if (fromFile > 0) return {chain, fromFile, true, kAll};
     const std::uint64_t triangles = trianglesOf(finest(chain));
@@ -210,6 +219,7 @@ class Division {
   std::vector<MeshCells> cells_;
   std::vector<std::uint64_t> instances_;  ///< per chain
   std::vector<std::uint32_t> usedBy_;     ///< per mesh: number of chains
+  std::vector<bool> bent_;                ///< per mesh: whether animations bend it
 };
 
 }  // namespace

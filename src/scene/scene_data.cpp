@@ -2,15 +2,17 @@
 #include "scene/scene_data.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 
 #include "core/check.h"
 #include "core/error.h"
+#include "scene/material_table.h"
 #include "scene/mesh_cells.h"
+#include "scene/motion_state.h"
 #include "scene/patch_base.h"
 
 namespace jalousie::scene {
@@ -18,69 +20,6 @@ namespace {
 
 using asset::Mesh;
 using asset::Primitive;
-
-/// Draw list of a material: kListSolid, kListSheet or kListBlend.
-gpu::uint listOf(const asset::Material& material) {
-  if (material.alphaMode == asset::AlphaMode::kBlend) return gpu::kListBlend;
-  return material.doubleSided || material.alphaMode == asset::AlphaMode::kMask ? gpu::kListSheet : gpu::kListSolid;
-}
-
-std::uint32_t packColor(const glm::vec4& color) {
-  std::uint32_t packed = 0;
-  for (int k = 0; k < 4; ++k) {
-    const float value = std::clamp(color[k], 0.0F, 1.0F);
-    packed |= static_cast<std::uint32_t>(std::lround(value * 255.0F)) << (8 * k);
-  }
-  return packed;
-}
-
-gpu::uint samplingBits(const asset::TextureUse& use, const TextureClass& size) {
-  const asset::Sampling& sampling = use.sampling;
-  const auto wrap = [](asset::Wrap wrapped, gpu::uint clamp, gpu::uint mirror) {
-    return wrapped == asset::Wrap::kClamp ? clamp : wrapped == asset::Wrap::kMirror ? mirror : 0U;
-  };
-  gpu::uint bits = wrap(sampling.wrapU, gpu::kSamplingClampU, gpu::kSamplingMirrorU) |
-                   wrap(sampling.wrapV, gpu::kSamplingClampV, gpu::kSamplingMirrorV);
-  if (sampling.magnifyNearest) bits |= gpu::kSamplingMagnifyNearest;
-  if (sampling.minifyNearest) bits |= gpu::kSamplingMinifyNearest;
-  if (sampling.mip == asset::Mip::kNearest) bits |= gpu::kSamplingMipNearest;
-  if (sampling.mip == asset::Mip::kNone) bits |= gpu::kSamplingMipNone;
-  if (use.uvSet == 1) bits |= gpu::kSamplingSecondUv;
-  bits |= static_cast<gpu::uint>(std::countr_zero(size.width)) << gpu::kSamplingWidthShift;
-  return bits | static_cast<gpu::uint>(std::countr_zero(size.height)) << gpu::kSamplingHeightShift;
-}
-
-gpu::TextureUse makeTextureUse(const asset::TextureUse& use, const TextureLayout& layout) {
-  const TextureSlot& slot = layout.slots[use.image];
-  return {use.uvAxes, use.uvOffset, slot.layer | slot.textureClass << 16U,
-          samplingBits(use, layout.classes[slot.textureClass])};
-}
-
-gpu::Material makeMaterial(const asset::Material& material, const TextureLayout& layout) {
-  gpu::Material result{};
-  result.baseColor = material.baseColor;
-  result.emission = glm::vec4(material.emission, material.normalScale);
-  result.alphaCutoff = material.alphaCutoff;
-  const auto add = [&](const std::optional<asset::TextureUse>& use, gpu::uint flag, gpu::TextureUse& target) {
-    if (!use) return;
-    result.flags |= flag;
-    target = makeTextureUse(*use, layout);
-  };
-  add(material.baseTexture, gpu::kMaterialTextured, result.base);
-  add(material.emissiveTexture, gpu::kMaterialEmissionTextured, result.emissive);
-  add(material.normalTexture, gpu::kMaterialNormalTextured, result.normals);
-  if (material.isUnlit) result.flags |= gpu::kMaterialUnlit;
-  if (material.doubleSided) result.flags |= gpu::kMaterialDoubleSided;
-  if (material.alphaMode == asset::AlphaMode::kMask) result.flags |= gpu::kMaterialMask;
-  if (material.alphaMode == asset::AlphaMode::kBlend) result.flags |= gpu::kMaterialBlend;
-  return result;
-}
-
-/// Whether a material needs the programs with JAL_FULL_MATERIALS.
-bool isFull(const asset::Material& material) {
-  return (material.baseTexture && !material.baseTexture->isPlain()) || material.emission != glm::vec3(0.0F) ||
-         material.normalTexture || material.isUnlit;
-}
 
 /// Area of all triangles, object space.
 double surfaceOf(const Primitive& primitive) {
@@ -116,6 +55,11 @@ class SceneBuilder {
     meshBounds_.resize(file_.meshes.size());
     meshCells_.resize(file_.meshes.size());
     meshSurfaces_.resize(file_.meshes.size());
+    meshPlaces_.resize(file_.meshes.size());
+    if (options_.patches && !file_.motion.meshes.empty()) patchPlaces_.resize(file_.chains.size());
+    transformOf_.resize(file_.motion.empty() ? 0 : file_.instances.size(), gpu::kNoMotion);
+    for (const asset::MeshBending& bending : file_.motion.meshes)
+      bendings_[bending.mesh] = &bending;
     for (std::size_t m = 0; m < file_.meshes.size(); ++m)
       addMesh(m);
     for (const asset::Chain& chain : file_.chains)
@@ -125,6 +69,7 @@ class SceneBuilder {
     scene_.binLayout = layoutBins(scene_.chains, scene_.objects, scene_.lods, options_.patches);
     const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
+    addMotion();
     scene_.cameras = file_.cameras;
     scene_.originWorld = file_.originWorld;
     addNames();
@@ -228,6 +173,7 @@ class SceneBuilder {
     const MeshCells& cells = cells_[m];
     const auto baseVertex = static_cast<std::int32_t>(scene_.vertices.size());
     const std::vector<std::uint32_t> offsets = appendVertices(mesh, nullptr);
+    meshPlaces_[m] = {static_cast<std::uint32_t>(baseVertex), offsets};
     gpu::Lod& whole = meshLods_[m];
     whole.baseVertex = baseVertex;
     whole.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
@@ -259,7 +205,8 @@ class SceneBuilder {
   }
 
   /// Averages normals over all primitives of the mesh, so that seams between materials stay closed too.
-  gpu::Lod addPatchBase(const Mesh& mesh, Aabb& bounds) {
+  /// @param place  gets where the vertices lie, and their normals
+  gpu::Lod addPatchBase(const Mesh& mesh, Aabb& bounds, PatchPlace& place) {
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> indices;
     for (const Primitive& primitive : mesh.primitives) {
@@ -283,6 +230,18 @@ class SceneBuilder {
     gpu::Lod lod = appendTriangles(mesh, offsets, baseVertex,
                                    [&](std::size_t p) { return std::span(mesh.primitives[p].indices); });
     lod.errorObject = lod.meanErrorObject = error;
+    place = {{static_cast<std::uint32_t>(baseVertex), offsets}, std::move(split)};
+    return lod;
+  }
+
+  /// The base mesh of a chain that animations bend is that of its unbent triangles.
+  gpu::Lod addPatches(const asset::Chain& chain, Aabb& bounds) {
+    const std::uint32_t coarsest = chain.levels.back().mesh;
+    const auto bending = bendings_.find(coarsest);
+    PatchPlace place;
+    if (bending == bendings_.end()) return addPatchBase(file_.meshes[coarsest], bounds, place);
+    const gpu::Lod lod = addPatchBase(unbent(file_.meshes[coarsest], *bending->second), bounds, place);
+    patchPlaces_[scene_.chains.size()] = std::move(place);
     return lod;
   }
 
@@ -310,7 +269,7 @@ class SceneBuilder {
     result.surfaceObject = static_cast<float>(meshSurfaces_[chain.levels.front().mesh]);
     result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
     if (options_.patches) {
-      scene_.lods.push_back(addPatchBase(file_.meshes[chain.levels.back().mesh], bounds));
+      scene_.lods.push_back(addPatches(chain, bounds));
       result.patchLod = static_cast<std::uint32_t>(scene_.lods.size()) - 1;
       scene_.maxPatchTriangles = std::max(scene_.maxPatchTriangles, scene_.lods.back().triangleCount);
     }
@@ -334,35 +293,29 @@ class SceneBuilder {
                                          Aabb{glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)}));
       if (std::binary_search(options_.hidden.begin(), options_.hidden.end(), i)) continue;
       const auto transform = static_cast<gpu::uint>(scene_.transforms.size());
+      if (!transformOf_.empty()) transformOf_[i] = transform;
       scene_.transforms.push_back(makeTransform(instance.worldFromObject));
       const auto object = static_cast<gpu::uint>(scene_.objects.size());
       scene_.objects.push_back({instance.chain, transform, i, object});
     }
   }
 
-  /// Segments of all instances, then their points.
   void addLoose() {
-    for (const bool isPoints : {false, true}) {
-      for (const asset::LooseInstance& loose : file_.looseInstances) {
-        const asset::LooseGeometry& geometry = file_.looseGeometries[loose.geometry];
-        const glm::mat3 normals = glm::transpose(glm::inverse(glm::mat3(loose.worldFromObject)));
-        const bool isHidden =
-            loose.instance && std::binary_search(options_.hidden.begin(), options_.hidden.end(), *loose.instance);
-        for (const asset::LooseVertex& vertex : isPoints ? geometry.points : geometry.lines) {
-          const glm::vec3 world(loose.worldFromObject * glm::vec4(vertex.position, 1.0F));
-          scene_.boundsWorld.add(world);
-          if (isHidden) continue;
-          const glm::vec3 normal = normals * vertex.normal;
-          const float length = glm::length(normal);
-          scene_.loose.vertices.push_back({world,
-                                           length > 0.0F && std::isfinite(length) ? packNormal(normal / length) : 0U,
-                                           vertex.uv, packColor(vertex.color), vertex.material});
-        }
-      }
-      if (!isPoints) scene_.loose.lineVertices = static_cast<std::uint32_t>(scene_.loose.vertices.size());
-    }
-    if (scene_.loose.vertices.size() > std::numeric_limits<std::int32_t>::max())
-      throw Error(ErrorCode::kLimit, "the scene has more points and lines than 32-bit counts reach");
+    LooseScene loose = makeLooseScene(file_, options_.hidden);
+    scene_.loose = std::move(loose.table);
+    scene_.boundsWorld.add(loose.boundsWorld);
+    loosePlaces_ = std::move(loose.places);
+  }
+
+  void addMotion() {
+    if (file_.motion.empty()) return;
+    scene_.motion = buildMotion(file_, {.meshes = meshPlaces_,
+                                        .patches = patchPlaces_,
+                                        .transforms = transformOf_,
+                                        .cellChains = cellChains_,
+                                        .chainsOfCells = scene_.cells.chains,
+                                        .loose = loosePlaces_});
+    scene_.boundsWorld.add(motionBounds(scene_.motion, scene_.objects, scene_.chains, scene_.transforms));
   }
 
   void addNames() {
@@ -381,6 +334,7 @@ class SceneBuilder {
     for (std::size_t c = 0; c < file_.chains.size(); ++c) {
       const auto end = std::find_if(first, scene_.objects.end(), [&](const gpu::Object& o) { return o.chain != c; });
       const std::vector<asset::LodLevel>& levels = file_.chains[c].levels;
+      cellChains_.push_back(static_cast<std::uint32_t>(tables.chains.size()));
       for (std::uint32_t cell = 0; cell < meshCells_[levels.front().mesh].size(); ++cell) {
         const auto chain = static_cast<gpu::uint>(tables.chains.size());
         addCellChain(levels, scene_.chains[c].firstLod, cell);
@@ -430,31 +384,18 @@ class SceneBuilder {
   std::vector<gpu::Lod> meshLods_;
   std::vector<Aabb> meshBounds_;
   std::vector<double> meshSurfaces_;  ///< object space
+  std::vector<MeshPlace> meshPlaces_;
+  std::vector<LoosePlace> loosePlaces_;
+  std::vector<std::optional<PatchPlace>> patchPlaces_;           ///< per chain; empty where no chain is bent
+  std::vector<std::uint32_t> transformOf_;                       ///< per instance; empty where nothing moves
+  std::vector<std::uint32_t> cellChains_;                        ///< per chain the first one of its cells
+  std::map<std::uint32_t, const asset::MeshBending*> bendings_;  ///< by mesh
 };
 
 }  // namespace
 
 SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options) {
   return SceneBuilder(file, options).build();
-}
-
-gpu::Transform makeTransform(const glm::mat4& worldFromObject) {
-  const glm::mat4 rows = glm::transpose(worldFromObject);
-  return {rows[0], rows[1], rows[2]};
-}
-
-glm::mat4 worldFromObject(const gpu::Transform& transform) {
-  return glm::transpose(glm::mat4(transform.worldFromObject0, transform.worldFromObject1, transform.worldFromObject2,
-                                  glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)));
-}
-
-std::uint32_t packNormal(const glm::vec3& normal) {
-  std::uint32_t packed = 0;
-  for (int k = 0; k < 3; ++k) {
-    const long value = std::lround(std::clamp(normal[k], -1.0F, 1.0F) * 511.0F);
-    packed |= (static_cast<std::uint32_t>(value) & 0x3ffU) << (10 * k);
-  }
-  return packed;
 }
 
 }  // namespace jalousie::scene

@@ -9,22 +9,16 @@
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
 #include "scene/cell_options.h"
+#include "scene/loose_table.h"
+#include "scene/motion_data.h"
 #include "scene/scene_names.h"
 #include "scene/texture_layers.h"
+#include "scene/transform.h"
+#include "scene/vertex.h"
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 
 namespace jalousie::scene {
-
-/// One vertex of the scene's vertex buffer; attribute locations are kAttribute... of shared/limits.h.
-struct Vertex {
-  glm::vec3 position;    ///< object space
-  std::uint32_t normal;  ///< unit, 10 bits a component, signed normalised (GL_INT_2_10_10_10_REV)
-  glm::vec2 uv;
-  std::uint32_t color;     ///< linear RGBA, 8 bits a component
-  std::uint32_t material;  ///< index into SceneData::materials
-};
-static_assert(sizeof(Vertex) == 32);
 
 /// What draw lists are made of: objects, or the cells of objects.
 struct DrawTables {
@@ -32,16 +26,6 @@ struct DrawTables {
   std::vector<gpu::Chain> chains;
   std::vector<gpu::Lod> lods;
   BinLayout binLayout;
-};
-
-/// Points and lines of all nodes. They have no object: they are drawn whole in each frame, and hide nothing.
-struct LooseTable {
-  /// World space: two for each segment, then the points. A normal of 0: it is not lit.
-  std::vector<Vertex> vertices;
-  std::uint32_t lineVertices = 0;  ///< how many of them belong to segments
-
-  std::uint32_t points() const { return static_cast<std::uint32_t>(vertices.size()) - lineVertices; }
-  std::uint32_t segments() const { return lineVertices / 2; }
 };
 
 /// The cells of all objects: an object whose chain is not divided is one cell. Empty if no chain is divided.
@@ -56,6 +40,7 @@ struct SceneData : DrawTables {
   std::vector<std::uint32_t> indices;
   std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
   LooseTable loose;
+  MotionData motion;  ///< empty if nothing moves
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
@@ -63,7 +48,7 @@ struct SceneData : DrawTables {
   SceneNames names;
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
-  Aabb boundsWorld;  ///< of all objects, points and lines
+  Aabb boundsWorld;  ///< of all objects, points and lines, also where animations take them
   bool usesFullMaterials = false;       ///< a material has more than a base colour with a texture that isPlain()
   bool usesBlending = false;            ///< whether any level has blended triangles
   bool hasUnmeasuredLevels = false;     ///< some level's error is unknown (infinite): never chosen by pixel error
@@ -90,12 +75,5 @@ struct BuildOptions {
 
 /// Flattens a file. Errors: kLimit if vertices or indices exceed 32-bit offsets, kUnsupported above kMaxLods levels.
 SceneData buildScene(const asset::SceneFile& file, const BuildOptions& options = {});
-
-/// A matrix as three rows, and back. @pre the last row is 0 0 0 1
-gpu::Transform makeTransform(const glm::mat4& worldFromObject);
-glm::mat4 worldFromObject(const gpu::Transform& transform);
-
-/// Signed normalised 10-10-10-2 packing, x in the low bits.
-std::uint32_t packNormal(const glm::vec3& normal);
 
 }  // namespace jalousie::scene

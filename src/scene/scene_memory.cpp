@@ -38,6 +38,7 @@ SceneSize sizeOf(const SceneData& scene) {
   size.levels = scene.lods.size();
   size.cells = scene.cells.objects.size();
   size.cellLevels = scene.cells.lods.size();
+  size.motionBytes = scene.motion.bytes();
   size.cameras = scene.cameras.size();
   for (const ImageRgba8& image : scene.textures.images)
     size.images.push_back({image.width, image.height});
@@ -67,6 +68,7 @@ MemoryEstimate fileNeeds(const SceneSize& size) {
             counted(size.looseInstances, "instances of points and lines"));
   needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
   needs.add(size.cellEnds, sizeof(std::uint32_t), counted(size.cellEnds, "ends of cells"));
+  needs.add(size.motionBytes, 1, "animations");
   needs.add(size.cameras, sizeof(asset::Camera), counted(size.cameras, "cameras"));
   needs.add(size.cameraKeys, kKeyBytes, counted(size.cameraKeys, "camera keys"));
   return needs;
@@ -97,6 +99,7 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   needs.add(size.looseVertices, sizeof(Vertex), counted(size.looseVertices, "points and ends of lines"));
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));
+  needs.add(size.motionBytes, 1, "animations");
   if (size.cells > 0) needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices in the order of cells"));
   needs.add(size.cells, sizeof(gpu::Object) + sizeof(gpu::Tile) + sizeof(gpu::Chain), counted(size.cells, "cells"));
   needs.add(size.cellLevels, 2 * (sizeof(gpu::Lod) + sizeof(gpu::CellBounds)) + 2 * sizeof(gpu::Bin),

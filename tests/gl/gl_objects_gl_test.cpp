@@ -81,6 +81,10 @@ TEST_F(GlObjects, EveryProgramOfARendererReadsItsShaderLibrary) {
   asset::SceneFile scenery = test::spheresBehindWall(0.3F);
   scenery.looseGeometries = {{{asset::LooseVertex{}}, {}}};
   scenery.looseInstances = {{0, glm::mat4(1.0F), std::nullopt}};
+  scenery.motion.nodes.resize(1);
+  scenery.motion.nodes.front().anchor = scenery.motion.nodes.front().translationTrack = gpu::kNoMotion;
+  scenery.motion.nodes.front().rotationTrack = scenery.motion.nodes.front().scaleTrack = gpu::kNoMotion;
+  scenery.motion.instances.resize(1);
   const scene::SceneData scene = scene::buildScene(scenery, {.cells = {scene::CellOptions::Kind::kCount, 64}});
   ASSERT_FALSE(scene.cells.objects.empty());
   std::set<std::string_view> files;

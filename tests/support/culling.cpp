@@ -45,6 +45,7 @@ CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t
   render::FrameRenderer reference(journey.scene, width, height);
   render::FrameOptions everything = options;
   everything.cullMode = CullMode::kFull;
+  render::FrameOptions culling = options;
   everything.skipDraw = true;  // renderIds draws it
   std::vector<gpu::Transform> transforms = journey.scene.transforms;
   CullingLoss loss;
@@ -55,7 +56,8 @@ CullingLoss countLoss(const Journey& journey, std::uint32_t width, std::uint32_t
       renderer.setTransforms(0, transforms);
       reference.setTransforms(0, transforms);
     }
-    renderer.render(options, camera, camera);
+    culling.seconds = everything.seconds = scene::secondsAt(static_cast<float>(frame));
+    renderer.render(culling, camera, camera);
     const std::vector<float> depth = renderer.readDepth();
     reference.render(everything, camera, camera);
     reference.renderIds();
