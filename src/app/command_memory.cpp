@@ -47,9 +47,10 @@ MemoryEstimate rendererNeeds(const asset::SceneSize& size, const RenderOptions& 
 
 asset::SceneFile readWithin(const std::filesystem::path& file, const MemoryLimit& limit, const Needs& needs,
                             const SceneRequest& request) {
-  return asset::readSceneFile(
-      file, {}, request.observer,
-      {.check = [&](const asset::SceneSize& size) { needs(size).require(limit, file); }, .seconds = request.seconds});
+  return asset::readSceneFile(file, {}, request.observer,
+                              {.check = [&](const asset::SceneSize& size) { needs(size).require(limit, file); },
+                               .seconds = request.seconds,
+                               .plays = request.plays});
 }
 
 MemoryEstimate maskNeeds(const std::filesystem::path& file) {

@@ -21,6 +21,7 @@ using Needs = std::function<MemoryEstimate(const asset::SceneSize& size)>;
 struct SceneRequest {
   asset::ReadObserver observer = {};
   std::optional<double> seconds = std::nullopt;  ///< time of its animations; absent: the pose without
+  bool plays = false;                            ///< read the animations, to play them; without seconds
 };
 
 /// Reads a scene if the command's needs are within the limit. Errors: kLimit, before the scene is read; as

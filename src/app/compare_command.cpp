@@ -75,9 +75,10 @@ asset::Camera chosen(const std::vector<asset::Camera>& cameras, const std::strin
   return chosenFirst(cameras, which, file).front();
 }
 
-compare::Plan makePlan(const CompareOptions& options, const asset::Camera& path) {
+/// @param frames  of the camera path and of what moves
+compare::Plan makePlan(const CompareOptions& options, std::uint32_t frames) {
   compare::Plan plan;
-  plan.range = parseFrames(options.frames, scene::frameCount(path));
+  plan.range = parseFrames(options.frames, frames);
   plan.width = options.width;
   plan.height = options.height;
   const std::map<std::string, compare::Reference> references = {
@@ -174,9 +175,9 @@ void warnLevels(const CompareOptions& options, const Setup& setup, const scene::
   }
 }
 
-void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes, const asset::Camera& path,
+void warn(const CompareOptions& options, const Setup& setup, const compare::Scenes& scenes, std::uint32_t frames,
           const gl::Capabilities& capabilities) {
-  if (scene::frameCount(path) == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
+  if (frames == 1) warnSingleFrame(options.path.empty() ? options.scene : options.path);
   warnIgnored(options.scene, scenes.plain.ignored);
   warnLevels(options, setup, scenes.plain);
   for (std::size_t i = 0; i < setup.configurations.size(); ++i) {
@@ -227,9 +228,10 @@ int compareScene(const CompareOptions& options) {
                                   .height = options.height};
   const asset::SceneFile file = readWithin(options.scene, options.memory,
                                            [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); },
-                                           {.observer = {}, .seconds = options.time});
+                                           {.observer = {}, .seconds = options.time, .plays = !options.time});
   const asset::Camera path = loadPath(options, file);
-  compare::Plan plan = makePlan(options, path);
+  const std::uint32_t frames = std::max(scene::frameCount(path), scene::frameCount(file.motion.lastKey));
+  compare::Plan plan = makePlan(options, frames);
   const scene::SceneData plain = scene::buildScene(file);
   std::deque<scene::SceneData> others;
   const compare::Scenes scenes = scenesOf(file, plain, setup, others);
@@ -237,7 +239,7 @@ int compareScene(const CompareOptions& options) {
   const platform::HeadlessContext context(options.debug);
   const GlDebug debug(options.debug);
   describeMachine(plan, context.capabilities());
-  if (!options.quiet) warn(options, setup, scenes, path, context.capabilities());
+  if (!options.quiet) warn(options, setup, scenes, frames, context.capabilities());
   const std::string fingerprint = compare::experimentFingerprint(plain, path, setup.configurations, plan);
   folder.create();
   const DeferredInterruptions deferred;

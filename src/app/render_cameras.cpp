@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/command_memory.h"
 #include "app/path_camera.h"
 #include "core/error.h"
@@ -10,13 +12,19 @@
 namespace jalousie::app {
 namespace {
 
-scene::Camera pathCamera(const std::vector<asset::Camera>& path, float frame, const std::filesystem::path& file) {
-  if (path.empty())
-    throw Error(ErrorCode::kUsage, "the scene has no camera; say --eye and --look instead of a frame", file);
-  const std::uint32_t frames = scene::frameCount(path.front());
+scene::Camera wholeScene(const RenderOptions& options, const scene::SceneData& scene) {
+  return scene::frameBox(scene.boundsWorld, static_cast<float>(options.width) / static_cast<float>(options.height));
+}
+
+scene::Camera pathCamera(const RenderOptions& options, const scene::SceneData& scene,
+                         const std::vector<asset::Camera>& path, float frame) {
+  if (path.empty() && scene.motion.empty())
+    throw Error(ErrorCode::kUsage, "the scene has no camera; say --eye and --look instead of a frame", options.scene);
+  const std::uint32_t frames = pathFrames(path, scene.motion);
   if (frame > static_cast<float>(frames - 1))
-    throw Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", frame, frames - 1), file);
-  return scene::cameraAtFrame(path.front(), frame);
+    throw Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", frame, frames - 1),
+                options.scene);
+  return path.empty() ? wholeScene(options, scene) : scene::cameraAtFrame(path.front(), frame);
 }
 
 /// @param eye, look  in the file's world
@@ -27,11 +35,15 @@ scene::Camera placed(const glm::dvec3& eye, const glm::dvec3& look, const scene:
 scene::Camera drawCamera(const RenderOptions& options, const scene::SceneData& scene,
                          const std::vector<asset::Camera>& path) {
   if (options.eye) return placed(*options.eye, *options.look, scene);
-  if (options.frame || !path.empty()) return pathCamera(path, options.frame.value_or(0.0F), options.scene);
-  return scene::frameBox(scene.boundsWorld, static_cast<float>(options.width) / static_cast<float>(options.height));
+  if (options.frame || !path.empty()) return pathCamera(options, scene, path, options.frame.value_or(0.0F));
+  return wholeScene(options, scene);
 }
 
 }  // namespace
+
+std::uint32_t pathFrames(const std::vector<asset::Camera>& path, const scene::MotionData& motion) {
+  return std::max(path.empty() ? 1U : scene::frameCount(path.front()), scene::frameCount(motion.lastKey));
+}
 
 std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const MemoryLimit& memory,
                                         const glm::dvec3& originWorld) {
@@ -55,7 +67,7 @@ RenderCameras renderCameras(const RenderOptions& options, const scene::SceneData
   RenderCameras cameras;
   cameras.draw = drawCamera(options, scene, path);
   cameras.cull = options.freezeEye     ? placed(*options.freezeEye, *options.freezeLook, scene)
-                 : options.freezeFrame ? pathCamera(path, *options.freezeFrame, options.scene)
+                 : options.freezeFrame ? pathCamera(options, scene, path, *options.freezeFrame)
                                        : cameras.draw;
   return cameras;
 }

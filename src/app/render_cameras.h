@@ -14,6 +14,14 @@ struct RenderCameras {
   scene::Camera draw;
 };
 
+/// Whether the animations of the scene follow the frame: it is named, and --time does not fix them.
+inline bool playsAnimations(const RenderOptions& options) {
+  return options.frame.has_value() && !options.time;
+}
+
+/// Frames of a camera path and of what moves, at least 1. @param path  may be empty
+std::uint32_t pathFrames(const std::vector<asset::Camera>& path, const scene::MotionData& motion);
+
 /// Cameras of a file, relative to a point of its world. Errors: as readSceneFile; kUsage if it holds none.
 std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const MemoryLimit& memory,
                                         const glm::dvec3& originWorld);
@@ -23,7 +31,8 @@ std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const
 std::vector<asset::Camera> pathCameras(const RenderOptions& options, const scene::SceneData& scene);
 
 /// --eye and --look, else --frame of the path's first camera, else its start, else the whole scene in view.
-/// @param path  as pathCameras()   Errors: kUsage for a frame beyond the path, and where there is no path.
+/// @param path  as pathCameras()   Errors: kUsage for a frame beyond the path, and where there is no path and nothing
+/// moves.
 RenderCameras renderCameras(const RenderOptions& options, const scene::SceneData& scene,
                             const std::vector<asset::Camera>& path);
 

@@ -33,9 +33,9 @@ void writeReport(const RenderOptions& options, const RenderReport& report) {
 
 /// The file itself is gone afterwards.
 scene::SceneData loadScene(const RenderOptions& options) {
-  const asset::SceneFile file = readWithin(options.scene, options.memory,
-                                           [&](const asset::SceneSize& size) { return renderNeeds(size, options); },
-                                           {.observer = {}, .seconds = options.time});
+  const asset::SceneFile file = readWithin(
+      options.scene, options.memory, [&](const asset::SceneSize& size) { return renderNeeds(size, options); },
+      {.observer = {}, .seconds = options.time, .plays = playsAnimations(options)});
   return scene::buildScene(file, buildOptionsOf(file, options));
 }
 
@@ -60,6 +60,7 @@ void render(const RenderOptions& options) {
     return captureFrame(options, renderer, context.capabilities(), cameras,
                         [&](std::uint32_t frame) { progress.update(frame); });
   }();
+  if (!scene.motion.empty()) report.seconds = options.frameOptions.seconds;
   report.points = scene.loose.points();
   report.segments = scene.loose.segments();
   report.ignored = scene.ignored;

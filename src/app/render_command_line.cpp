@@ -13,6 +13,7 @@
 #include "cli/memory_option.h"
 #include "core/error.h"
 #include "policy/table.h"
+#include "scene/camera.h"
 
 namespace jalousie::app {
 namespace {
@@ -77,7 +78,9 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
   addCameraOption(command, options.camera);
   addTimeOption(command, options.time);
   const CLI::Validator notNegative = inRange(0.0, 1e9).description("");
-  command.add_option("--frame", options.frame, "Render this frame of the camera path (30 frames per second)")
+  command
+      .add_option("--frame", options.frame,
+                  "Render this frame of the camera path and of the scene's animations (30 frames per second)")
       ->check(notNegative)
       ->type_name("FRAME");
   addPoint(command, "--eye", options.eye, "Place the camera here, world units; needs --look");
@@ -113,6 +116,7 @@ void RenderOptions::finishFrame() {
   checkCamera(*this);
   checkCombination(*this);
   frameOptions.skipDraw = statsOnly;
+  frameOptions.seconds = scene::secondsAt(frame.value_or(0.0F));
   rendererOptions.fastPaths = !coreOnly;
 }
 

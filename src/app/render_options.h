@@ -22,7 +22,7 @@ struct RenderOptions {
   std::filesystem::path output;   ///< empty only with statsOnly
   std::filesystem::path json;     ///< empty: none; "-": standard output
   std::optional<double> time;     ///< of the scene's animations, seconds; absent: the pose without them
-  std::optional<float> frame;     ///< of the scene's camera path
+  std::optional<float> frame;     ///< of the scene's camera path, and of its animations
   std::optional<glm::dvec3> eye;  ///< in the file's world; with look
   std::optional<glm::dvec3> look;
   std::optional<float> freezeFrame;  ///< culling camera, if it differs from the drawing camera

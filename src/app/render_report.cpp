@@ -64,6 +64,7 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   json["detail"] = rowOf(options.frameOptions.detail).name;
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
+  if (report.seconds) json["seconds"] = *report.seconds;
   json["points"] = report.points;
   json["segments"] = report.segments;
   json["ignored"] = nlohmann::ordered_json(report.ignored);

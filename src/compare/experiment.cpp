@@ -27,6 +27,14 @@ scene::Camera cameraAt(const asset::Camera& path, std::uint32_t frame) {
   return scene::cameraAtFrame(path, static_cast<float>(frame));
 }
 
+/// Renders a frame of the path, with the animations at its time.
+void renderFrame(render::FrameRenderer& renderer, render::FrameOptions options, const asset::Camera& path,
+                 std::uint32_t frame) {
+  const scene::Camera camera = cameraAt(path, frame);
+  options.seconds = scene::secondsAt(static_cast<float>(frame));
+  renderer.render(options, camera, camera);
+}
+
 /// Mean |FLIP(after, before) - motion| over the pixels. @param motion  ReferenceFrames::motion() of the same frames
 double temporalError(const FlipImage& before, const FlipImage& after, const std::vector<float>& motion) {
   std::vector<float> moved = flipMap(before, after);
@@ -165,8 +173,7 @@ render::FrameRenderer& Experiment::renderer(std::size_t configuration) {
     // Warm-up: the driver compiles the shaders and allocates memory in the first frame.
     render::FrameOptions options = c.frame;
     options.skipDraw = inputs_.plan.reference == Reference::kNone;
-    const scene::Camera camera = cameraAt(inputs_.path, inputs_.plan.range.first);
-    slot->render(options, camera, camera);
+    renderFrame(*slot, options, inputs_.path, inputs_.plan.range.first);
     slot->resetHistory();
   }
   return *slot;
@@ -181,7 +188,7 @@ void Experiment::approach(render::FrameRenderer& renderer, const render::FrameOp
   // One frame is rendered even where nothing depends on it: switches are counted against its levels.
   const std::uint32_t lead = dependsOnHistory(options) ? inputs_.plan.lead : std::min(inputs_.plan.lead, 1U);
   for (std::uint32_t k = frame - std::min(frame, lead); k < frame; ++k)
-    renderer.render(quiet, cameraAt(inputs_.path, k), cameraAt(inputs_.path, k));
+    renderFrame(renderer, quiet, inputs_.path, k);
 }
 
 /// On a path without gaps, brings the renderers to the state that they would have without an interruption: renders all
@@ -192,7 +199,7 @@ void Experiment::catchUp(std::uint32_t frame) {
       render::FrameOptions quiet = inputs_.configurations[c].frame;
       quiet.skipDraw = k + 1 < frame || inputs_.plan.reference == Reference::kNone;
       renderer(c).setTiming(Timing::kOff);
-      renderer(c).render(quiet, cameraAt(inputs_.path, k), cameraAt(inputs_.path, k));
+      renderFrame(renderer(c), quiet, inputs_.path, k);
       if (!quiet.skipDraw) lastSeen_[c].emplace(renderer(c).readImage(), inputs_.plan.pixelsPerDegree);
     }
   }
@@ -205,7 +212,7 @@ Sample Experiment::measure(std::size_t configuration, const render::FrameOptions
   sample.frame = frame;
   sample.configuration = configuration;
   target.setTiming(inputs_.plan.gpuTiming ? Timing::kGpu : Timing::kWall);
-  target.render(options, cameraAt(inputs_.path, frame), cameraAt(inputs_.path, frame));
+  renderFrame(target, options, inputs_.path, frame);
   for (const PassTime& pass : target.passTimes()) {
     // In a frame that counts pixels, two passes can have the same name.
     sample.passes.emplace_back(std::string(pass.name), pass.ms);
@@ -264,7 +271,7 @@ std::vector<ObjectsSample> Experiment::runObjects(std::size_t configuration) {
   const render::FrameOptions& options = inputs_.configurations[configuration].frame;
   render::FrameRenderer& target = renderer(configuration);
   approach(target, options, frame);
-  target.render(options, cameraAt(inputs_.path, frame), cameraAt(inputs_.path, frame));
+  renderFrame(target, options, inputs_.path, frame);
   const FlipImage seen(target.readImage(), inputs_.plan.pixelsPerDegree);
   const std::vector<float> error = flipMap(reference_.flip(frame), seen);
   ObjectsSample sample = figuresOf(target, *inputs_.scenes.ofConfigurations.at(configuration), error,
@@ -294,7 +301,7 @@ KeptSample Experiment::keep(std::size_t configuration, std::uint32_t frame, cons
   const auto draw = [&](std::uint32_t at, View view = View::kShaded) {
     render::FrameOptions options = chosen.frame;
     options.view = view;
-    target.render(options, cameraAt(inputs_.path, at), cameraAt(inputs_.path, at));
+    renderFrame(target, options, inputs_.path, at);
     return target.readImage();
   };
   const std::uint32_t before = frame > 0 ? frame - 1 : frame;  // frame 0 has no predecessor: its own camera serves

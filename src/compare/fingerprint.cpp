@@ -39,6 +39,20 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 
+void addMotion(Hash& hash, const scene::MotionData& motion) {
+  hash.values(motion.numbers);
+  hash.values(motion.tracks);
+  hash.values(motion.nodes);
+  hash.values(motion.weights);
+  hash.values(motion.targets);
+  hash.values(motion.vertices);
+  hash.values(motion.influences);
+  hash.values(motion.deltas);
+  hash.values(motion.chains);
+  hash.values(motion.boxes);
+  hash.values(motion.deltaBoxes);
+}
+
 void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& path, const Plan& plan) {
   hash.values(scene.vertices);
   hash.values(scene.indices);
@@ -53,6 +67,7 @@ void addScene(Hash& hash, const scene::SceneData& scene, const asset::Camera& pa
   hash.values(scene.chains);
   hash.values(scene.lods);
   hash.values(scene.materials);
+  addMotion(hash, scene.motion);
   for (const ImageRgba8& image : scene.textures.images) {
     hash.value(image.width);
     hash.value(image.height);

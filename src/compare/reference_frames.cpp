@@ -38,7 +38,9 @@ ImageRgba8 ReferenceFrames::render(std::uint32_t frame) {
   if (renderer_ == nullptr) renderer_ = std::make_unique<render::FrameRenderer>(scene_, plan_.width, plan_.height);
   const scene::Camera camera = scene::cameraAtFrame(path_, static_cast<float>(frame));
   renderer_->resetHistory();
-  renderer_->render(referenceOptions(plan_.reference), camera, camera);
+  render::FrameOptions options = referenceOptions(plan_.reference);
+  options.seconds = scene::secondsAt(static_cast<float>(frame));
+  renderer_->render(options, camera, camera);
   return renderer_->readImage();
 }
 

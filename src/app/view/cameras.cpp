@@ -33,8 +33,11 @@ Pose Cameras::pose() {
 
 void Cameras::move(const Pose& pose) {
   if (!isUsable(pose)) return;
-  state_.playing = false;
-  for (const std::size_t i : documents_.followers(state_.current)) {
+  const std::vector<std::size_t> followers = documents_.followers(state_.current);
+  // Animations go on while the camera leaves its path.
+  state_.playing = state_.playing && std::any_of(followers.begin(), followers.end(),
+                                                 [&](std::size_t i) { return documents_[i].isAnimated(); });
+  for (const std::size_t i : followers) {
     documents_[i].camera.pose = inWorld(pose, documents_[i].originWorld());
     documents_[i].camera.frame.reset();
   }

@@ -69,6 +69,7 @@ CameraChoice CameraChoice::of(const RenderOptions& options) {
   choice.camera = options.camera;
   choice.time = options.time;
   choice.frame = options.frame;
+  choice.sceneFrame = options.frame.value_or(0.0F);
   choice.freezeFrame = options.freezeFrame;
   if (options.eye && options.look) choice.pose = WorldPose{*options.eye, *options.look};
   if (options.freezeEye && options.freezeLook) choice.freezePose = WorldPose{*options.freezeEye, *options.freezeLook};
@@ -80,6 +81,7 @@ void CameraChoice::applyTo(RenderOptions& options) const {
   options.camera = pose ? std::string() : camera;
   options.time = time;
   options.frame = frame;
+  options.frameOptions.seconds = scene::secondsAt(sceneFrame);
   options.freezeFrame = freezeFrame;
   options.eye = pose ? std::optional(pose->eye) : std::nullopt;
   options.look = pose ? std::optional(pose->look) : std::nullopt;
@@ -97,7 +99,8 @@ void Document::read() {
     asset::SceneFile read =
         readWithin(file_, memory_, [](const asset::SceneSize& size) { return viewNeeds(size, RenderOptions{}); },
                    {.observer = [&](const std::string& name, const auto&) { files.insert(folderOf(file_) / name); },
-                    .seconds = camera.time});
+                    .seconds = camera.time,
+                    .plays = !camera.time});
     watchThem();
     warnIgnored(file_, read.ignored);
     const scene::SceneData flat = scene::buildScene(read);
@@ -147,19 +150,33 @@ void Document::loadPath(bool refusesFrames) {
     camera.camera.clear();
     path_ = scene_->cameras;
   }
-  if (path_.empty() && (camera.frame || camera.freezeFrame))
+  if (pathFrames() == 0 && (camera.frame || camera.freezeFrame))
     fail(kPath,
          Error(ErrorCode::kUsage,
                "the scene has no camera path, so no frame of it can be shown; the whole scene is in view", file_));
   const float last = pathFrames() > 0 ? static_cast<float>(pathFrames() - 1) : 0.0F;
   for (std::optional<float>* frame : {&camera.frame, &camera.freezeFrame}) {
-    if (path_.empty()) frame->reset();
+    if (pathFrames() == 0) frame->reset();
     if (!*frame || **frame <= last) continue;
     if (refusesFrames)
       fail(kPath,
            Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", **frame, last), file_));
     *frame = last;
   }
+  camera.sceneFrame = std::min(camera.frame.value_or(camera.sceneFrame), last);
+}
+
+std::uint32_t Document::pathFrames() const {
+  if (path_.empty() && !isAnimated()) return 0;
+  const std::uint32_t animated = scene_ ? scene::frameCount(scene_->motion.lastKey) : 1;
+  return std::max(path_.empty() ? 1U : scene::frameCount(path_.front()), animated);
+}
+
+void Document::showFrame(float frame) {
+  camera.sceneFrame = frame;
+  if (camera.pose && isAnimated()) return;
+  camera.frame = frame;
+  camera.pose.reset();
 }
 
 Side* Document::prepare(int index, const RenderOptions& options) {

@@ -50,6 +50,7 @@ struct CameraChoice {
   std::string camera;          ///< name or number; empty: the first one
   std::optional<double> time;  ///< of the scene's animations, seconds
   std::optional<float> frame;
+  float sceneFrame = 0.0F;  ///< time of the animations, frames of the path; `frame`, where that is set
   std::optional<WorldPose> pose;
   std::optional<float> freezeFrame;
   std::optional<WorldPose> freezePose;
@@ -103,8 +104,14 @@ class Document {
   glm::dvec3 originWorld() const { return scene_ ? scene_->originWorld : glm::dvec3(0.0); }
   /// The file as it was read; null before, and while it cannot be read.
   const asset::SceneFile* sceneFile() const { return scene_ ? &*scene_ : nullptr; }
-  /// Frames of the first camera path; 0 if there is none.
-  std::uint32_t pathFrames() const { return path_.empty() ? 0 : scene::frameCount(path_.front()); }
+  /// Whether the scene has animations that play.
+  bool isAnimated() const { return scene_ && !scene_->motion.empty(); }
+  /// Whether the camera of the path moves.
+  bool hasMovingCamera() const { return !path_.empty() && scene::frameCount(path_.front()) > 1; }
+  /// Frames of the first camera path and of the animations; 0 if there is neither.
+  std::uint32_t pathFrames() const;
+  /// Shows a frame of both. The camera stays where the user has put it if animations play.
+  void showFrame(float frame);
 
   CameraChoice camera;
 

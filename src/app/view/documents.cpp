@@ -132,7 +132,10 @@ Region Documents::region(std::size_t index) const {
 
 RenderOptions Documents::optionsFor(std::size_t index, int side) const {
   RenderOptions options = state_.configurations[static_cast<std::size_t>(side)].active;
-  documents_[index]->camera.applyTo(options);
+  const CameraChoice& camera = documents_[index]->camera;
+  camera.applyTo(options);
+  // What `jalousie render` needs for the same pose: --frame names the time of the animations, too.
+  if (documents_[index]->isAnimated() && !camera.frame) options.time = scene::secondsAt(camera.sceneFrame);
   options.scene = documents_[index]->file();
   options.width = std::max(static_cast<std::uint32_t>(region(index).width), 1U);
   options.height = std::max(height_, 1U);

@@ -189,15 +189,13 @@ Inspection inspectObject(std::uint32_t object, const scene::SceneData& scene, re
                          const render::FrameOptions& options) {
   JAL_CHECK(object < scene.objects.size());
   const gpu::CullView view = renderer.cullView();
-  const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
   Inspection result;
   result.object = object;
   result.instance = scene.objects[object].owner;
   result.name = scene::shownName(scene.names, result.instance, scene.objects[object].chain);
   result.mesh = scene.names.meshName(scene.objects[object].chain).substr(0, scene::kLongestShownName);
   result.chain = fmt::format("{}", scene.objects[object].chain);
-  result.boundsWorld = transformed(scene::worldFromObject(scene.transforms[scene.objects[object].transform]),
-                                   {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
+  result.boundsWorld = renderer.readBounds(object);
   result.readout = renderer.readObject(object);
   const gpu::ScreenBox& box = result.readout.box;
   result.hasRect = box.maxX > box.minX && box.maxY > box.minY;

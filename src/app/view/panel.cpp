@@ -189,13 +189,12 @@ void drawPathWidgets(ViewState& state, Document& document, PanelResult& result) 
   }
   tooltip("glTF file whose camera path is used; empty: the path of the scene. Press Enter to apply.");
   if (document.pathFrames() > 0) {
-    float frame = document.camera.frame.value_or(0.0F);
+    float frame = document.camera.sceneFrame;
     if (editSlider("frame##--frame", frame, {0.0F, static_cast<float>(document.pathFrames() - 1), "%.0f"})) {
-      document.camera.frame = std::round(frame);
-      document.camera.pose.reset();
+      document.showFrame(std::round(frame));
       result.camerasChanged = true;
     }
-    tooltip("Frame of the camera path, 30 per second");
+    tooltip("Frame of the camera path and of the animations, 30 per second");
     button(state.playing ? "Pause" : "Play", Action::kPlay, result);
     ImGui::SameLine();
   }

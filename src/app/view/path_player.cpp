@@ -30,12 +30,13 @@ PathPlayer::PathPlayer(const ViewOptions& options, ViewState& state, Documents& 
       pathSeconds_(startSeconds_) {}
 
 void PathPlayer::toggle() {
-  const Document* document = documents_.current();
+  Document* document = documents_.current();
   if (document == nullptr) return;
   if (!state_.playing && document->pathFrames() == 0)
-    return messages_.say("The file has no camera path. Record one, or name one in the panel.");
+    return messages_.say("The file has no camera path and no animation. Record a path, or name one in the panel.");
   state_.playing = !state_.playing;
-  pathSeconds_ = static_cast<double>(document->camera.frame.value_or(0.0F)) / kPathRate;
+  if (state_.playing && document->hasMovingCamera()) document->camera.pose.reset();
+  pathSeconds_ = static_cast<double>(document->camera.sceneFrame) / kPathRate;
   redraw_.scenesChanged();
 }
 
@@ -52,15 +53,15 @@ void PathPlayer::goTo(double frame) {
 void PathPlayer::move(int frames) {
   const Document* document = documents_.current();
   if (document == nullptr) return;
-  if (document->pathFrames() == 0) return messages_.say("The file has no camera path.");
-  goTo(static_cast<double>(document->camera.frame.value_or(0.0F)) + frames);
+  if (document->pathFrames() == 0) return messages_.say("The file has no camera path and no animation.");
+  goTo(static_cast<double>(document->camera.sceneFrame) + frames);
 }
 
 void PathPlayer::step(double seconds, std::uint32_t framesDone) {
   if (!state_.playing) return;
   if (!documents_.loading() && !hasPath(documents_)) {
     state_.playing = false;
-    return messages_.fail({ErrorCode::kUsage, "--play: no file has a camera path"});
+    return messages_.fail({ErrorCode::kUsage, "--play: no file has a camera path or an animation"});
   }
   const bool isScript = options_.frames.has_value();
   pathSeconds_ = isScript ? startSeconds_ + framesDone / kPathRate : pathSeconds_ + seconds;
@@ -78,8 +79,7 @@ void PathPlayer::step(double seconds, std::uint32_t framesDone) {
 void PathPlayer::show(std::size_t index, double frame) {
   Document& document = documents_[index];
   if (document.pathFrames() == 0) return;
-  document.camera.frame = static_cast<float>(std::fmod(frame, static_cast<double>(document.pathFrames())));
-  document.camera.pose.reset();
+  document.showFrame(static_cast<float>(std::fmod(frame, static_cast<double>(document.pathFrames()))));
 }
 
 }  // namespace jalousie::app

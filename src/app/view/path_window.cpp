@@ -24,13 +24,17 @@ PathWindowResult drawPath(const Document& document, bool playing) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", helpText(Action::kPlay).c_str());
     ImGui::SameLine();
     const auto last = static_cast<int>(document.pathFrames() - 1);
-    int frame = static_cast<int>(document.camera.frame.value_or(0.0F));
-    const std::string format = document.camera.pose ? "free camera" : fmt::format("frame %d of {}", last);
+    int frame = static_cast<int>(document.camera.sceneFrame);
+    const bool isFree = document.camera.pose.has_value();
+    const std::string format = isFree && !document.isAnimated()
+                                   ? "free camera"
+                                   : fmt::format("frame %d of {}{}", last, isFree ? ", free camera" : "");
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::SliderInt("##frame", &frame, 0, last, format.c_str(), ImGuiSliderFlags_AlwaysClamp))
       result.frame = frame;
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("Frame of the camera path, 30 per second; Left and Right show the neighbours");
+      ImGui::SetTooltip(
+          "Frame of the camera path and of the animations, 30 per second; Left and Right show the neighbours");
   }
   ImGui::End();
   return result;
