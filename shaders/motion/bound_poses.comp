@@ -29,6 +29,7 @@ struct Box {
 
 shared vec3 lows[kObjectGroupSize];
 shared vec3 highs[kObjectGroupSize];
+shared float scales[kObjectGroupSize];
 
 Box scaled(Box box, float factor) {
   vec3 a = factor * box.low;
@@ -65,11 +66,21 @@ Box posed(BentBox entry) {
   return Box(vec3(x.x, y.x, z.x), vec3(x.y, y.y, z.y));
 }
 
-/// @param low, high  over all boxes of the chain
-void store(BentChain bent, vec3 low, vec3 high) {
+/// Bound of the factor by which lengths grow.
+float scaleOf(BentBox entry) {
+  if (entry.joint == kNoMotion) return 1.0;
+  Transform joint = joints[entry.joint];
+  return sqrt(dot(joint.worldFromObject0.xyz, joint.worldFromObject0.xyz) +
+              dot(joint.worldFromObject1.xyz, joint.worldFromObject1.xyz) +
+              dot(joint.worldFromObject2.xyz, joint.worldFromObject2.xyz));
+}
+
+/// @param low, high  over all boxes of the chain   @param scale  largest one of its joints
+void store(BentChain bent, vec3 low, vec3 high, float scale) {
   Box least = scaled(Box(low, high), bent.leastSum);
   Box most = scaled(Box(low, high), bent.mostSum);
-  float bulge = bent.bulge * length(high - low);
+  // An edge is as long as its joints make it, and longer where its ends follow different joints.
+  float bulge = bent.bulge * (scale * bent.longestEdge + bent.weightStep * length(high - low));
   vec4 boxMin = vec4(min(least.low, most.low) - bulge, 0.0);
   vec4 boxMax = vec4(max(least.high, most.high) + bulge, 0.0);
   chains[bent.chain].boundsMinObject = boxMin;
@@ -88,18 +99,22 @@ void main() {
   Box first = posed(bentBoxes[bent.firstBox]);
   vec3 low = first.low;
   vec3 high = first.high;
+  float scale = 0.0;
   for (uint i = lane; i < bent.boxCount; i += kObjectGroupSize) {
     Box box = posed(bentBoxes[bent.firstBox + i]);
     low = min(low, box.low);
     high = max(high, box.high);
+    scale = max(scale, scaleOf(bentBoxes[bent.firstBox + i]));
   }
   lows[lane] = low;
   highs[lane] = high;
+  scales[lane] = scale;
   for (uint width = kObjectGroupSize / 2u; width > 0u; width /= 2u) {
     barrier();
     if (lane >= width) continue;
     lows[lane] = min(lows[lane], lows[lane + width]);
     highs[lane] = max(highs[lane], highs[lane + width]);
+    scales[lane] = max(scales[lane], scales[lane + width]);
   }
-  if (lane == 0u) store(bent, lows[0], highs[0]);
+  if (lane == 0u) store(bent, lows[0], highs[0], scales[0]);
 }

@@ -115,10 +115,10 @@ struct BentChain {
   uint cellLodCount;
   float leastSum;  // of the weights of a vertex's influences
   float mostSum;
-  float bulge;  // the box grows by this share of its diagonal: for a curved surface
+  float bulge;        // share of an edge's length by which a curved surface leaves its triangle at most; 0: all is flat
+  float longestEdge;  // of the curved triangles, unbent
+  float weightStep;   // how much the weights of the two ends of an edge differ at most, 0 to 1; 1 with morph targets
   uint reserved0;
-  uint reserved1;
-  uint reserved2;
 };
 JAL_ASSERT_SIZE(BentChain, 48)
 

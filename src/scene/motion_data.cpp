@@ -2,6 +2,7 @@
 #include "scene/motion_data.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -188,8 +189,36 @@ class MotionBuilder {
   void addPatches(std::uint32_t chain, gpu::BentChain& bent) {
     if (places_.patches.empty() || !places_.patches[chain]) return;
     const PatchPlace& patch = *places_.patches[chain];
-    addVertices(*bendings_.at(file_.chains[chain].levels.back().mesh), patch.vertices, &patch.normals);
+    const std::uint32_t mesh = file_.chains[chain].levels.back().mesh;
+    const MeshBending& bending = *bendings_.at(mesh);
+    addVertices(bending, patch.vertices, &patch.normals);
     bent.bulge = kPhongAlpha;
+    for (std::size_t p = 0; p < bending.primitives.size(); ++p)
+      addEdges(file_.meshes[mesh].primitives[p].indices, bending.primitives[p], bent);
+  }
+
+  static void addEdges(const std::vector<std::uint32_t>& indices, const PrimitiveBending& primitive,
+                       gpu::BentChain& bent) {
+    if (primitive.targets > 0) bent.weightStep = 1.0F;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const std::uint32_t a = indices[i];
+      const std::uint32_t b = indices[i % 3 == 2 ? i - 2 : i + 1];
+      bent.longestEdge = std::max(bent.longestEdge, glm::distance(primitive.positions[a], primitive.positions[b]));
+      if (primitive.isSkinned) bent.weightStep = std::max(bent.weightStep, weightStep(primitive, a, b));
+    }
+  }
+
+  /// Half the sum of the differences of two vertices' weights.
+  static float weightStep(const PrimitiveBending& primitive, std::uint32_t a, std::uint32_t b) {
+    std::map<std::uint32_t, float> differences;
+    for (std::uint32_t i = primitive.firstInfluence[a]; i < primitive.firstInfluence[a + 1]; ++i)
+      differences[primitive.influences[i].joint] += primitive.influences[i].weight;
+    for (std::uint32_t i = primitive.firstInfluence[b]; i < primitive.firstInfluence[b + 1]; ++i)
+      differences[primitive.influences[i].joint] -= primitive.influences[i].weight;
+    float sum = 0.0F;
+    for (const auto& [joint, difference] : differences)
+      sum += 0.5F * std::abs(difference);
+    return sum;
   }
 
   static void addSum(float sum, gpu::BentChain& bent) {

@@ -162,6 +162,13 @@ Aabb posed(const MotionData& motion, const gpu::BentBox& entry, const MotionStat
   return result;
 }
 
+/// Bound of the factor by which lengths grow.
+float scaleOf(const gpu::BentBox& entry, const MotionState& state) {
+  if (entry.joint == gpu::kNoMotion) return 1.0F;
+  const glm::mat3 linear(worldFromObject(state.joints[entry.joint]));
+  return std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) + glm::dot(linear[2], linear[2]));
+}
+
 /// Objects whose boxes depend on the time.
 std::vector<std::uint32_t> movingObjects(const MotionData& motion, std::span<const gpu::Object> objects,
                                          std::size_t chains, std::size_t transforms) {
@@ -204,9 +211,13 @@ MotionState motionAt(const MotionData& motion, float seconds) {
 
 Aabb posedBox(const MotionData& motion, const gpu::BentChain& chain, const MotionState& state) {
   Aabb box;
-  for (std::uint32_t i = 0; i < chain.boxCount; ++i)
+  float scale = 0.0F;
+  for (std::uint32_t i = 0; i < chain.boxCount; ++i) {
     box.add(posed(motion, motion.boxes[chain.firstBox + i], state));
-  const float bulge = chain.bulge * glm::length(box.max - box.min);
+    scale = std::max(scale, scaleOf(motion.boxes[chain.firstBox + i], state));
+  }
+  // An edge is as long as its joints make it, and longer where its ends follow different joints.
+  const float bulge = chain.bulge * (scale * chain.longestEdge + chain.weightStep * glm::length(box.max - box.min));
   Aabb result = scaled(box, chain.leastSum);
   result.add(scaled(box, chain.mostSum));
   return {result.min - bulge, result.max + bulge};

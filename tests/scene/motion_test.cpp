@@ -5,6 +5,7 @@
 
 #include "asset/scene_file.h"
 #include "scene/motion_reference.h"
+#include "scene/patch_base.h"
 #include "scene/scene_data.h"
 #include "support/animated_model.h"
 
@@ -111,6 +112,47 @@ TEST(Motion, BoxesHoldEveryPose) {
               ASSERT_LE(p[k], chain.boundsMaxObject[k]) << "seed " << content.seed << " object " << object;
             }
           }
+        }
+      }
+    }
+  }
+}
+
+/// A packed normal as a vector.
+glm::vec3 normalOf(std::uint32_t packed) {
+  const auto part = [&](int k) {
+    return static_cast<float>(static_cast<std::int32_t>(packed << (22 - 10 * k)) >> 22) / 511.0F;
+  };
+  return {part(0), part(1), part(2)};
+}
+
+/// Box of the curved surface of a chain's base mesh.
+Aabb curvedBounds(const SceneData& scene, const gpu::Chain& chain) {
+  const gpu::Lod& base = scene.lods[chain.patchLod];
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<std::uint32_t> indices;
+  for (gpu::uint i = 0; i < 3 * base.triangleCount; ++i) {
+    const Vertex& vertex =
+        scene.vertices[scene.indices[base.firstIndex + i] + static_cast<std::uint32_t>(base.baseVertex)];
+    indices.push_back(i);
+    positions.push_back(vertex.position);
+    normals.push_back(normalOf(vertex.normal));
+  }
+  return phongBounds(positions, normals, indices, kPhongAlpha);
+}
+
+TEST(Motion, BoxesHoldEveryCurvedPose) {
+  for (const AnimatedContent& content : contents()) {
+    SceneData scene = buildScene(playing(test::animatedModel(content)), {.patches = true});
+    for (float seconds = 0.0F; seconds < 2.1F; seconds += 0.17F) {
+      poseScene(scene, seconds);
+      for (const gpu::BentChain& bent : scene.motion.chains) {
+        const gpu::Chain& chain = scene.chains[bent.chain];
+        const Aabb curved = curvedBounds(scene, chain);
+        for (int k = 0; k < 3; ++k) {
+          ASSERT_GE(curved.min[k], chain.boundsMinObject[k] - 1e-4F) << "seed " << content.seed << " at " << seconds;
+          ASSERT_LE(curved.max[k], chain.boundsMaxObject[k] + 1e-4F) << "seed " << content.seed << " at " << seconds;
         }
       }
     }

@@ -230,7 +230,7 @@ const std::map<std::string, Layout>& expectedLayouts() {
          JAL_FIELD("bentChains[0].", BentChain, firstCellLod), JAL_FIELD("bentChains[0].", BentChain, cellLodCount),
          JAL_FIELD("bentChains[0].", BentChain, leastSum), JAL_FIELD("bentChains[0].", BentChain, mostSum),
          JAL_FIELD("bentChains[0].", BentChain, bulge), JAL_FIELD("bentChains[0].", BentChain, reserved0),
-         JAL_FIELD("bentChains[0].", BentChain, reserved1), JAL_FIELD("bentChains[0].", BentChain, reserved2)}}},
+         JAL_FIELD("bentChains[0].", BentChain, longestEdge), JAL_FIELD("bentChains[0].", BentChain, weightStep)}}},
       {"DeltaBoxBlock",
        {sizeof(gpu::CellBounds),
         {JAL_FIELD("deltaBoxes[0].", CellBounds, minObject), JAL_FIELD("deltaBoxes[0].", CellBounds, maxObject)}}},
