@@ -12,6 +12,8 @@
 #include "asset/gltf_file.h"
 #include "asset/image_io.h"
 #include "asset/lod_chain.h"
+#include "compare/image_error.h"
+#include "support/animated_model.h"
 #include "support/gl_test.h"
 #include "support/run_program.h"
 #include "support/scene_writer.h"
@@ -352,6 +354,35 @@ TEST_F(RenderCommand, SamePictureFarFromTheOrigin) {
     ASSERT_EQ(jalousie({"record", place, "-o", path, "--frames", "9", "-q"}).exitCode, 0);
   const auto along = picture({scene(), "--path", file("near-path.glb"), "--frame", "4"});
   EXPECT_EQ(picture({far, "--path", file("far-path.glb"), "--frame", "4"}), along);
+}
+
+TEST_F(RenderCommand, AFrameShowsTheAnimationsAtItsTime) {
+  const std::string moving = file("moving.glb");
+  asset::saveGlb(test::animatedModel({.seed = 3, .loose = true, .levels = true}), moving);
+  const auto picture = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {"render", moving,   "-o",     file("place.png"),  "--size", "200x100",
+                                        "--lod",  "finest", "--json", file("stats.json"), "--force"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const ProgramResult result = jalousie(command);
+    EXPECT_EQ(result.exitCode, 0) << result.standardError;
+    return asset::loadImage(file("place.png"));
+  };
+  const ProgramResult recorded = jalousie({"record", moving, "-o", file("path.glb"), "--frames", "61", "-q"});
+  ASSERT_EQ(recorded.exitCode, 0) << recorded.standardError;
+  const auto along = [&](const std::string& frame) { return picture({"--path", file("path.glb"), "--frame", frame}); };
+  const ImageRgba8 later = along("45");
+  EXPECT_EQ(json("stats.json")["seconds"], 1.5);
+  EXPECT_TRUE(json("stats.json")["ignored"].empty());
+  EXPECT_NE(later.pixels, along("0").pixels);
+  // The camera of the path at frame 45 is that of the file of one frame; the pose is fixed.
+  const ImageRgba8 still = picture({"--time", "1.5", "--path", file("path.glb"), "--frame", "45"});
+  EXPECT_FALSE(json("stats.json").contains("seconds"));
+  EXPECT_GT(compare::psnr(later, still), 30.0);
+  EXPECT_LT(compare::psnr(later, along("20")), 25.0);
+  // The animation is two seconds long, and the scene has no camera.
+  const ImageRgba8 whole = picture({"--frame", "60"});
+  EXPECT_GT(compare::psnr(whole, picture({"--frame", "60", "--mode", "full"})), 60.0);
+  EXPECT_EQ(jalousie({"render", moving, "--frame", "61", "-o", file("place.png"), "--force"}).exitCode, 2);
 }
 
 TEST_F(RenderCommand, SamePictureWhateverTheThreadCount) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ class Builder {
   explicit Builder(const AnimatedContent& content) : content_(content), random_(content.seed) {}
 
   tinygltf::Model build() {
+    model_.asset.version = "2.0";
     tinygltf::Node root;
     root.translation = {content_.place.x, content_.place.y, content_.place.z};
     model_.nodes.push_back(root);
@@ -95,6 +97,8 @@ class Builder {
     tinygltf::Accessor& output = model_.accessors.back();
     if (width > 1) output.type = width == 3 ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4;
     output.count = values.size() / width;
+    output.minValues.clear();
+    output.maxValues.clear();
     animation.samplers.push_back(sampler);
     tinygltf::AnimationChannel channel;
     channel.sampler = 0;
@@ -137,15 +141,22 @@ class Builder {
   }
 
   void addInfluences(tinygltf::Primitive& primitive, const std::vector<glm::vec3>& positions) {
-    std::vector<glm::vec4> joints;
+    std::vector<std::uint8_t> joints;
     std::vector<glm::vec4> weights;
     for (const glm::vec3& p : positions) {
       const float along = (p.y + 1.0F) / 2.0F * (kJoints - 1);
       const float first = std::min(std::floor(along), static_cast<float>(kJoints - 2));
-      joints.emplace_back(first, first + 1.0F, 0.0F, 0.0F);
+      const auto lower = static_cast<std::uint8_t>(first);
+      joints.insert(joints.end(), {lower, static_cast<std::uint8_t>(lower + 1), 0, 0});
       weights.emplace_back(1.0F - (along - first), along - first, 0.0F, 0.0F);
     }
-    primitive.attributes["JOINTS_0"] = appendVec4(model_, joints, 0);
+    tinygltf::Accessor accessor;
+    accessor.bufferView = asset::appendView(model_, std::as_bytes(std::span(joints)), 0);
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+    accessor.type = TINYGLTF_TYPE_VEC4;
+    accessor.count = joints.size() / 4;
+    model_.accessors.push_back(accessor);
+    primitive.attributes["JOINTS_0"] = static_cast<int>(model_.accessors.size()) - 1;
     primitive.attributes["WEIGHTS_0"] = appendVec4(model_, weights, 0);
   }
 
