@@ -52,8 +52,14 @@ struct PriceState {
   float logCoarse;
   float gain;       // step of both per unit of lastError
   float lastError;  // logarithm of triangles over budget in the last frame
+  // Without calm levels: logFine of the last frame that was above the budget by the price of all levels, and how many
+  // frames ago that was.
+  float logOver;
+  float overAge;
+  float reserved0;
+  float reserved1;
 };
-JAL_ASSERT_SIZE(PriceState, 16)
+JAL_ASSERT_SIZE(PriceState, 32)
 
 /// One draw list; std140 uniform block, written once.
 struct ListView {

@@ -84,6 +84,10 @@ const float kBudgetJump = 0.25;
 const float kBudgetSmallStep = 1.0 / 64.0;
 const float kLeastSmallGain = 1.0 / 64.0;
 const float kSmallGainGrowth = 4.0;
+/// A price from which the frame was above the budget bounds the steps down for so many frames: a step goes half the way
+/// to it, and the price rests where less than this is left. Between the two lies a step of the levels of one object.
+const float kOverFrames = 8.0;
+const float kNarrowestStep = 0.03125;  // 1/32
 /// Largest step in one frame, and the range of the logarithm of the factor.
 const float kMostLogStep = 1.0;
 const float kMostLogFactor = 24.0;

@@ -13,8 +13,19 @@ layout(std140, binding = kBindingListView) uniform ListViewBlock { ListView list
 layout(std430, binding = kBindingPriceState) buffer PriceStateBlock { PriceState price; };
 #include "lib/budget.glsl"
 
-/// Gain of this step. @param error  logarithm of triangles over budget
+/// Whether a price a little lower was found to be above the budget a few frames ago, and this one is below it.
+/// @param error  logarithm of triangles over budget
+bool isBracketed(float error) {
+  return cullView.calm == 0u && error < -kBudgetJump && price.overAge <= kOverFrames &&
+         price.logOver < price.logFine;
+}
+
+/// Gain of this step. @param error  as isBracketed
 float gainOf(float error) {
+  if (isBracketed(error)) {
+    bool isNarrow = price.logFine - price.logOver <= kNarrowestStep;
+    return isNarrow ? 0.5 * kLeastGain : max(0.5 * price.gain, kLeastGain);
+  }
   if (abs(error) - abs(price.lastError) > kBudgetJump) return kMostGain;
   float least = cullView.calm != 0u ? kLeastGain : kLeastGain * kLeastSmallGain;
   if (error * price.lastError < 0.0) return max(0.5 * price.gain, 0.5 * least);
@@ -38,7 +49,9 @@ void move(float step, float widest) {
 /// Without calm levels. Above the budget, levels that are finer by the price of small steps go first. Below it, all
 /// levels follow, or where this came to rest only those of small steps.
 void moveAll(float error, float gain) {
-  bool rests = gain <= kLeastGain;
+  bool isBounded = isBracketed(error);
+  float least = 0.5 * (price.logOver + price.logFine);
+  bool rests = gain < kLeastGain || (gain == kLeastGain && !isBounded);
   float smallGain = gain / kLeastGain;  // of the price of small steps
   if (rests && error < 0.0 && smallGain <= kLeastSmallGain) return;
   // Away from the step that the price came to rest at: a few visible pixels more must not take it.
@@ -47,7 +60,15 @@ void moveAll(float error, float gain) {
   price.logCoarse = clamp(price.logCoarse + step, -kMostLogFactor, kMostLogFactor);
   if (step < 0.0 && !rests) price.logFine = max(price.logFine + step, -kMostLogFactor);
   if (step > 0.0) price.logFine = max(price.logFine, price.logCoarse);
+  if (isBounded && !rests) price.logFine = price.logCoarse = max(price.logFine, least);
   price.logCoarse = min(price.logCoarse, price.logFine);
+}
+
+/// Keeps the price of a frame above the budget.
+void noteOver(float error) {
+  bool isOver = error > kBudgetTolerance && price.logCoarse == price.logFine;
+  if (isOver) price.logOver = price.logFine;
+  price.overAge = isOver ? 0.0 : min(price.overAge + 1.0, 2.0 * kOverFrames);
 }
 
 void recover(float widest) {
@@ -59,6 +80,7 @@ void recover(float widest) {
 void main() {
   float triangles = budgetSum(kBudgetWanted) + budgetSum(kBudgetWanted + 2u);
   float error = log(max(triangles, 1.0) / float(cullView.triangleBudget));
+  noteOver(error);
   float gain = gainOf(error);
   bool calm = cullView.calm != 0u;
   float widest = calm ? 4.0 * log(cullView.hysteresis) : 0.0;

@@ -151,7 +151,22 @@ nlohmann::ordered_json writeReport(const CompareOptions& options, const compare:
   return summary;
 }
 
-asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile) {
+/// The whole scene in view, at rest.
+asset::Camera wholeScene(const CompareOptions& options, const scene::SceneData& scene) {
+  const scene::Camera framed =
+      scene::frameBox(scene.boundsWorld, static_cast<float>(options.width) / static_cast<float>(options.height));
+  asset::Camera camera;
+  camera.fovY = framed.fovY;
+  camera.zNear = framed.zNear;
+  camera.worldFromCamera = glm::dmat4(framed.worldFromCamera);
+  return camera;
+}
+
+/// The camera of --path, else that of the scene, else one that shows a scene which moves.
+asset::Camera loadPath(const CompareOptions& options, const asset::SceneFile& sceneFile,
+                       const scene::SceneData& scene) {
+  if (options.path.empty() && sceneFile.cameras.empty() && options.camera.empty() && !sceneFile.motion.empty())
+    return wholeScene(options, scene);
   if (options.path.empty()) return chosen(sceneFile.cameras, options.camera, options.scene);
   return chosen(pathFromFile(options.path, options.memory, sceneFile.originWorld), options.camera, options.path);
 }
@@ -229,10 +244,10 @@ int compareScene(const CompareOptions& options) {
   const asset::SceneFile file = readWithin(options.scene, options.memory,
                                            [&](const asset::SceneSize& size) { return compareNeeds(size, comparison); },
                                            {.observer = {}, .seconds = options.time, .plays = !options.time});
-  const asset::Camera path = loadPath(options, file);
+  const scene::SceneData plain = scene::buildScene(file);
+  const asset::Camera path = loadPath(options, file, plain);
   const std::uint32_t frames = std::max(scene::frameCount(path), scene::frameCount(file.motion.lastKey));
   compare::Plan plan = makePlan(options, frames);
-  const scene::SceneData plain = scene::buildScene(file);
   std::deque<scene::SceneData> others;
   const compare::Scenes scenes = scenesOf(file, plain, setup, others);
 

@@ -18,7 +18,8 @@ void addCameraOption(CLI::App& command, std::string& which) {
 void addTimeOption(CLI::App& command, std::optional<double>& seconds) {
   command
       .add_option("--time", seconds,
-                  "Show the animations of nodes, skins and morph targets at this time; seconds [the pose without them]")
+                  "Show nodes, skins and morph targets at this time of their animations, whatever the frame; a path is "
+                  "then as long as its camera; seconds [they follow the frame; without one, the pose without them]")
       ->check(inRange(0.0, 1e6).description(""))
       ->type_name("SECONDS");
 }

@@ -60,7 +60,8 @@ void render(const RenderOptions& options) {
     return captureFrame(options, renderer, context.capabilities(), cameras,
                         [&](std::uint32_t frame) { progress.update(frame); });
   }();
-  if (!scene.motion.empty()) report.seconds = options.frameOptions.seconds;
+  if (!scene.motion.empty())
+    report.seconds = static_cast<double>(options.frame.value_or(0.0F)) / static_cast<double>(scene::kPathRate);
   report.points = scene.loose.points();
   report.segments = scene.loose.segments();
   report.ignored = scene.ignored;
@@ -68,11 +69,12 @@ void render(const RenderOptions& options) {
   if (rowOf(options.frameOptions.detail).patches)
     warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
   if (report.statistics.dropped > 0)
-    printError(fmt::format("jalousie: warning: {}: {} objects found no room in a draw list of {} and are missing",
+    printError(fmt::format("jalousie: warning: {}: {} {} found no room in a draw list of {} and are missing",
                            oneLine(options.scene.string()), report.statistics.dropped,
+                           scene.cells.objects.empty() ? "objects" : "cells of objects",
                            options.rendererOptions.capacity.value_or(0)));
   if (!options.quiet)
-    warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics.triangles, options.settle);
+    warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics, options.settle);
   if (!options.quiet) warnUnknownLevels(options.scene, scene, rowOf(options.frameOptions.lodRule));
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
   debug.check();

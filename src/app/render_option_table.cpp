@@ -147,10 +147,14 @@ std::vector<RenderOption> cullingRows() {
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
-       "same. auto = the cells of the file, else cells of 256 triangles for large objects; auto joins them "
-       "where a scene had more than 65,536. Surfaces that lie in one plane can swap pixels",
+       "same, but for --triangles, a full list (--capacity), a frozen camera and views that show cells. auto = the "
+       "cells of the file, else cells of 256 triangles for large objects; auto joins them where a scene had more than "
+       "65,536. Surfaces that lie in one plane can swap pixels",
        OptionGroup::kCulling, ChoiceValue{cellsText, setCells, {"auto", "off", "64", "128", "256", "512", "1024"}},
-       "--detail discrete", [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},
+       "--detail discrete",
+       [](const Options& o) {
+         return !rowOf(o.frameOptions.detail).patches || o.cells.kind == scene::CellOptions::Kind::kOff;
+       }},
       {"--importance", "importance mask", "",
        "Scale --tau and --min-pixels by a grey image stretched over the screen: white keeps them, darker grey divides "
        "them by its value, at least 1/16",
@@ -193,9 +197,9 @@ std::vector<RenderOption> levelRows() {
        "--lod lv-error", [](const Options& o) { return relaxesTau(rowOf(o.frameOptions.lodRule)); }},
       {"--triangles", "triangle budget", "triangles",
        "Move the price of a triangle from frame to frame so that a frame has this many triangles, as far as the levels "
-       "allow. A view at rest needs 10 to 60 frames (--settle). In a frame that would have 1.08 times as many, objects "
-       "become coarser at once, also beyond --max-error; only what appears after a part of the frame was drawn can "
-       "exceed this. "
+       "allow. A view at rest needs 10 to 60 frames (--settle), and rests below the budget where the levels of one "
+       "object are a large step. In a frame that would have 1.08 times as many, objects become coarser at once, also "
+       "beyond --max-error; only what appears after a part of the frame was drawn can exceed this. "
        "0 turns this off and leaves the price to --tau",
        OptionGroup::kDetail,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.triangleBudget; }, 0, 0xffffffffU},
@@ -208,7 +212,7 @@ std::vector<RenderOption> levelRows() {
        "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::pricesTriangles),
        [](const Options& o) { return rowOf(o.frameOptions.lodRule).pricesTriangles; }},
       {"--masking", "masking", "",
-       "Let the error of a partly covered object count (64 / d)^0.3 times less, at most 3.5 times; d is the mean open "
+       "Let the error of a partly covered object count (64 / d)^0.3 times less, at most 3.48 times; d is the mean open "
        "chord in front of it in pixels. Off by default: SSIM and Butteraugli tolerate more error behind small holes "
        "than behind a window, but mostly less than this factor; FLIP tolerates less",
        OptionGroup::kDetail, FlagValue{[](Options& o) -> bool& { return o.frameOptions.masking; }},

@@ -26,7 +26,7 @@ struct RenderReport {
   bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
-  std::optional<float> seconds;       ///< time of the animations, where they play
+  std::optional<double> seconds;      ///< time of the animations, where they play
   std::uint32_t points = 0;           ///< of the scene: all are drawn in every frame
   std::uint32_t segments = 0;         ///< the same for line segments
   asset::ContentCounts ignored;       ///< what the scene's file holds that is not drawn

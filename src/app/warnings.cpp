@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "asset/ignored_content.h"
 #include "core/error.h"
 #include "core/standard_streams.h"
@@ -42,9 +45,14 @@ void warnTessellationLimit(const std::filesystem::path& file, const scene::Scene
       oneLine(file.string()), limit, scene.maxPatchTriangles));
 }
 
-void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn,
-                        std::uint32_t settle) {
+void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget,
+                        const render::FrameStatistics& statistics, std::uint32_t settle) {
   constexpr std::uint32_t kSettledFrames = 60;
+  const std::uint64_t drawn = statistics.triangles;
+  const std::vector<std::uint64_t>& levels = statistics.lodHistogram;
+  const bool allFinest = std::all_of(levels.begin() + std::min<std::ptrdiff_t>(1, std::ssize(levels)), levels.end(),
+                                     [](std::uint64_t objects) { return objects == 0; });
+  if (drawn < budget && allFinest) return;  // there is no more to draw
   const std::uint64_t missed = drawn > budget ? drawn - budget : budget - drawn;
   if (budget == 0 || missed <= budget / 20) return;
   printError(fmt::format(

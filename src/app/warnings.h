@@ -6,6 +6,7 @@
 
 #include "gl/capabilities.h"
 #include "policy/lod_rule.h"
+#include "render/frame_statistics.h"
 #include "scene/scene_data.h"
 
 namespace jalousie::app {
@@ -23,9 +24,9 @@ void warnSingleFrame(const std::filesystem::path& file);
 void warnTessellationLimit(const std::filesystem::path& file, const scene::SceneData& scene,
                            const gl::Capabilities& capabilities, gpu::uint wanted);
 
-/// Warns if a frame has missed its budget of triangles by more than 5 %. @param budget  0: there is none
-/// @param settle  frames that were rendered before
-void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget, std::uint64_t drawn,
-                        std::uint32_t settle);
+/// Warns if a frame has missed its budget of triangles by more than 5 %, unless no choice of levels comes nearer.
+/// @param budget  0: there is none   @param settle  frames that were rendered before
+void warnTriangleBudget(const std::filesystem::path& file, std::uint64_t budget,
+                        const render::FrameStatistics& statistics, std::uint32_t settle);
 
 }  // namespace jalousie::app

@@ -123,7 +123,11 @@ class Counter {
   void countAnimation(const tinygltf::Animation& animation) {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       if (channel.target_node < 0) continue;  // counted as KHR_animation_pointer
-      countIf(!movesCamerasAlone(channel) && !isTimed_, "animation channels");
+      const bool isFirst = channels_.emplace(channel.target_node, channel.target_path).second;
+      if (isTimed_)
+        countIf(!isFirst, "further animations of a property");
+      else
+        countIf(!movesCamerasAlone(channel), "animation channels");
     }
   }
 
@@ -157,10 +161,11 @@ class Counter {
 
   const tinygltf::Model& model_;
   bool isTimed_;
-  std::vector<int> parents_;         ///< of each node; -1: none
-  std::vector<bool> carriesCamera_;  ///< the node or one below it is a camera
-  std::vector<bool> isAboveCamera_;  ///< one below it is
-  std::vector<bool> carriesMesh_;    ///< the node or one below it shows a mesh or is a joint
+  std::vector<int> parents_;                        ///< of each node; -1: none
+  std::vector<bool> carriesCamera_;                 ///< the node or one below it is a camera
+  std::vector<bool> isAboveCamera_;                 ///< one below it is
+  std::vector<bool> carriesMesh_;                   ///< the node or one below it shows a mesh or is a joint
+  std::set<std::pair<int, std::string>> channels_;  ///< nodes and properties that were moved already
   ContentCounts counts_;
   std::set<std::string> seen_;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "asset/accessor.h"
@@ -58,6 +59,15 @@ struct Influences {
   std::vector<gpu::Influence> entries;
 };
 
+/// Makes the sum 1, which glTF asks for. Else the place of a vertex would depend on that of the whole scene.
+void normalizeWeights(std::span<gpu::Influence> influences) {
+  double sum = 0.0;
+  for (const gpu::Influence& influence : influences)
+    sum += static_cast<double>(influence.weight);
+  for (gpu::Influence& influence : influences)
+    influence.weight = static_cast<float>(static_cast<double>(influence.weight) / sum);
+}
+
 /// @param joints  of the skin
 Influences readInfluences(const tinygltf::Model& model, const tinygltf::Primitive& primitive, std::size_t joints,
                           ElementBudget& budget, std::size_t count) {
@@ -77,7 +87,8 @@ Influences readInfluences(const tinygltf::Model& model, const tinygltf::Primitiv
   Influences result;
   result.first.reserve(count + 1);
   for (std::size_t v = 0; v < count; ++v) {
-    result.first.push_back(static_cast<std::uint32_t>(result.entries.size()));
+    const std::size_t first = result.entries.size();
+    result.first.push_back(static_cast<std::uint32_t>(first));
     for (const Set& set : sets)
       for (int k = 0; k < 4; ++k) {
         const float weight = set.weights[v][k];
@@ -87,6 +98,7 @@ Influences readInfluences(const tinygltf::Model& model, const tinygltf::Primitiv
           malformed("a vertex names a joint that its skin does not have");
         result.entries.push_back({static_cast<std::uint32_t>(joint), weight});
       }
+    normalizeWeights(std::span(result.entries).subspan(first));
     if (result.entries.size() > 0xFFFFFFFFULL) throw Error(ErrorCode::kLimit, "a skin has too many weights");
   }
   result.first.push_back(static_cast<std::uint32_t>(result.entries.size()));

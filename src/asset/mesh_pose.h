@@ -57,7 +57,7 @@ PrimitiveBending flatBending(const PrimitiveBending& shared, const std::vector<s
                              ElementBudget& budget);
 
 /// Moves the vertices of a primitive: morph targets first, then the skin (glTF 2.0, 3.7.2.2 and 3.7.3.3). Weights of
-/// joints are taken as they are.
+/// joints are scaled to a sum of 1.
 /// Errors: kMalformed for joints and attributes that do not fit, kLimit.
 void applyPose(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const MeshPose& pose,
                ElementBudget& budget, const PosedVertices& vertices);

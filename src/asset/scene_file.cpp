@@ -244,7 +244,7 @@ class SceneReader {
     const auto rest = [this](int node) { return localTransform(model_.nodes[static_cast<std::size_t>(node)]); };
     for (const detail::GroupPart& part : groups_.parts(level.content, rest))
       if (player_->movesWithin(part.node, group) || player_->bends(part.node))
-        ++notPlayed_["animated parts of groups with levels"];
+        ++notPlayed_["poses of animated parts of groups with levels"];
   }
 
   /// A chain ends at its first level without triangles.
@@ -322,7 +322,7 @@ class SceneReader {
   /// The same for points and lines. Those that a skin or morph targets move stay as they are at rest.
   void followLoose(int node, const glm::dmat4& nodeFromInstance) {
     if (!player_) return;
-    if (player_->bends(node)) ++notPlayed_["animated points and lines"];
+    if (player_->bends(node)) ++notPlayed_["poses of animated points and lines"];
     if (model_.nodes[static_cast<std::size_t>(node)].skin < 0)
       player_->addLooseInstance(static_cast<std::uint32_t>(scene_.looseInstances.size()), node, nodeFromInstance);
   }

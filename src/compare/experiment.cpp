@@ -118,9 +118,12 @@ void Experiment::readFinishedSteps() {
   done_ = readLog(inputs_.folder, inputs_.fingerprint, results_);
   for (const Sample& sample : results_.samples)
     if (sample.configuration >= inputs_.configurations.size())
-      throw Error(ErrorCode::kMalformed, "names configurations that do not exist; leave out --resume", inputs_.folder);
+      throw Error(ErrorCode::kMalformed,
+                  "names configurations that do not exist; say --force instead of --resume to start over",
+                  inputs_.folder);
   if (done_ > steps_.size())
-    throw Error(ErrorCode::kUsage, "holds more steps than this experiment has; leave out --resume to start over",
+    throw Error(ErrorCode::kUsage,
+                "holds more steps than this experiment has; say --force instead of --resume to start over",
                 inputs_.folder);
 }
 

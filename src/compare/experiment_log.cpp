@@ -227,7 +227,7 @@ std::size_t readLog(const std::filesystem::path& folder, const std::string& fing
           throw Error(
               ErrorCode::kUsage,
               "holds another experiment (scene, path, options, driver or program differ); choose another folder, "
-              "or leave out --resume to replace it",
+              "or say --force instead of --resume to replace it",
               folder);
         }
       } else {

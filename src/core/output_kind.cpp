@@ -94,6 +94,22 @@ const char* nameOf(OutputKind kind) {
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
+std::string_view extensionOf(OutputKind kind) {
+  constexpr std::array<std::string_view, 7> kExtensions = {"", ".png", ".json", ".glb", ".glb", ".html", ".d"};
+  return kExtensions.at(static_cast<std::size_t>(kind));
+}
+
+bool hasForeignExtension(const std::filesystem::path& file, OutputKind kind) {
+  if (kind == OutputKind::kAny) return false;
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (extension == extensionOf(kind) || (kind == OutputKind::kPage && extension == ".htm")) return false;
+  constexpr std::array<std::string_view, 14> kKnown = {".png",  ".jpg",  ".jpeg", ".webp", ".bmp", ".json", ".glb",
+                                                       ".gltf", ".html", ".htm",  ".obj",  ".ply", ".stl",  ".mtl"};
+  return std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end();
+}
+
 OutputKind kindOfFile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string head(4096, '\0');

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace jalousie {
 
@@ -18,6 +19,12 @@ enum class OutputKind {
 
 /// "a PNG picture", for messages; "another kind of file" of kAny.
 const char* nameOf(OutputKind kind);
+
+/// The extension of files of a kind, with its point; empty of kAny.
+std::string_view extensionOf(OutputKind kind);
+
+/// Whether the extension of a name belongs to files of another kind: ".png" of what will be a scene.
+bool hasForeignExtension(const std::filesystem::path& file, OutputKind kind);
 
 /// The kind of a file; kAny if it is none of the others or cannot be read.
 OutputKind kindOfFile(const std::filesystem::path& file);

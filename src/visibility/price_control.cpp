@@ -10,8 +10,18 @@
 namespace jalousie::visibility {
 namespace {
 
-/// Gain of this step. @param error  logarithm of triangles over budget
+/// Whether a price a little lower was found to be above the budget a few frames ago, and this one is below it.
+/// @param error  logarithm of triangles over budget
+bool isBracketed(const gpu::PriceState& price, float error, bool calm) {
+  return !calm && error < -gpu::kBudgetJump && price.overAge <= gpu::kOverFrames && price.logOver < price.logFine;
+}
+
+/// Gain of this step. @param error  as isBracketed
 float gainOf(const gpu::PriceState& price, float error, bool calm) {
+  if (isBracketed(price, error, calm)) {
+    const bool isNarrow = price.logFine - price.logOver <= gpu::kNarrowestStep;
+    return isNarrow ? 0.5F * gpu::kLeastGain : std::max(0.5F * price.gain, gpu::kLeastGain);
+  }
   if (std::abs(error) - std::abs(price.lastError) > gpu::kBudgetJump) return gpu::kMostGain;
   const float least = calm ? gpu::kLeastGain : gpu::kLeastGain * gpu::kLeastSmallGain;
   if (error * price.lastError < 0.0F) return std::max(0.5F * price.gain, 0.5F * least);
@@ -36,7 +46,9 @@ void move(gpu::PriceState& price, float step, float widest) {
 /// Without calm levels. Above the budget, levels that are finer by the price of small steps go first. Below it, all
 /// levels follow, or where this came to rest only those of small steps.
 void moveAll(gpu::PriceState& price, float error, float gain) {
-  const bool rests = gain <= gpu::kLeastGain;
+  const bool isBounded = isBracketed(price, error, /*calm=*/false);
+  const float least = 0.5F * (price.logOver + price.logFine);
+  const bool rests = gain < gpu::kLeastGain || (gain == gpu::kLeastGain && !isBounded);
   const float smallGain = gain / gpu::kLeastGain;  // of the price of small steps
   if (rests && error < 0.0F && smallGain <= gpu::kLeastSmallGain) return;
   // Away from the step that the price came to rest at: a few visible pixels more must not take it.
@@ -45,7 +57,15 @@ void moveAll(gpu::PriceState& price, float error, float gain) {
   price.logCoarse = std::clamp(price.logCoarse + step, -gpu::kMostLogFactor, gpu::kMostLogFactor);
   if (step < 0.0F && !rests) price.logFine = std::max(price.logFine + step, -gpu::kMostLogFactor);
   if (step > 0.0F) price.logFine = std::max(price.logFine, price.logCoarse);
+  if (isBounded && !rests) price.logFine = price.logCoarse = std::max(price.logFine, least);
   price.logCoarse = std::min(price.logCoarse, price.logFine);
+}
+
+/// Keeps the price of a frame above the budget.
+void noteOver(gpu::PriceState& price, float error) {
+  const bool isOver = error > gpu::kBudgetTolerance && price.logCoarse == price.logFine;
+  if (isOver) price.logOver = price.logFine;
+  price.overAge = isOver ? 0.0F : std::min(price.overAge + 1.0F, 2.0F * gpu::kOverFrames);
 }
 
 void recover(gpu::PriceState& price, float widest) {
@@ -57,12 +77,13 @@ void recover(gpu::PriceState& price, float widest) {
 }  // namespace
 
 gpu::PriceState firstPrice() {
-  return {0.0F, 0.0F, gpu::kMostGain, 0.0F};
+  return {0.0F, 0.0F, gpu::kMostGain, 0.0F, 0.0F, 2.0F * gpu::kOverFrames, 0.0F, 0.0F};
 }
 
 gpu::PriceState adjustPrice(gpu::PriceState price, float triangles, const gpu::CullView& view) {
   JAL_CHECK(view.triangleBudget > 0U);
   const float error = std::log(std::max(triangles, 1.0F) / static_cast<float>(view.triangleBudget));
+  noteOver(price, error);
   const float gain = gainOf(price, error, view.calm != 0);
   const bool calm = view.calm != 0;
   const float widest = calm ? 4.0F * std::log(view.hysteresis) : 0.0F;

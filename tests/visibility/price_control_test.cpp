@@ -116,9 +116,14 @@ gpu::uint budgetInLargestStep(const Crowd& crowd) {
   std::uint64_t largest = 0;
   Crowd free = crowd;
   free.view.triangleBudget = std::numeric_limits<gpu::uint>::max();
-  std::uint64_t last = free.triangles(1.0F, {12.0F, 12.0F, 0.0F, 0.0F});
+  const auto at = [](float logPrice) {
+    gpu::PriceState price = firstPrice();
+    price.logFine = price.logCoarse = logPrice;
+    return price;
+  };
+  std::uint64_t last = free.triangles(1.0F, at(12.0F));
   for (float logPrice = 12.0F; logPrice > -12.0F; logPrice -= 0.01F) {
-    const std::uint64_t next = free.triangles(1.0F, {logPrice, logPrice, 0.0F, 0.0F});
+    const std::uint64_t next = free.triangles(1.0F, at(logPrice));
     if (next - last > largest) {
       largest = next - last;
       fewer = last;
@@ -139,6 +144,30 @@ TEST(PriceControl, StepsOfOneLargeObjectDoNotKeepAStillViewBelowItsBudget) {
   const std::vector<double> shares = simulate(crowd, budget, [](int) { return 1.0F; });
   for (std::size_t i = 60; i < shares.size(); ++i)
     EXPECT_NEAR(shares[i], 1.0, 0.02) << budget << " frame " << i;
+}
+
+TEST(PriceControl, AnObjectOfHalfTheTrianglesDoesNotFlicker) {
+  // Terrain: its finer level is taken below a price; the rest of the scene follows the price. With it, a frame is a
+  // little above the budget.
+  for (const float switchesAt : {0.3F, 1.0F, 2.7F, 9.0F}) {
+    for (const float over : {1.03F, 1.11F, 1.2F}) {
+      gpu::CullView view{};
+      view.triangleBudget = 10000;
+      gpu::PriceState price = firstPrice();
+      std::vector<double> shares;
+      for (int frame = 0; frame < 200; ++frame) {
+        const float factor = priceFactor(price, view);
+        const float others = 4500.0F * std::pow(factor / switchesAt, -0.1F);
+        const float triangles = others + (factor < switchesAt ? over * 10000.0F - 4500.0F : 500.0F);
+        shares.push_back(static_cast<double>(triangles) / 10000.0);
+        price = adjustPrice(price, triangles, view);
+      }
+      for (std::size_t i = 100; i < shares.size(); ++i) {
+        ASSERT_NEAR(shares[i], shares[i - 1], 0.02) << switchesAt << ", " << over << " frame " << i;
+        ASSERT_LT(shares[i], 1.02) << switchesAt << ", " << over << " frame " << i;
+      }
+    }
+  }
 }
 
 TEST(PriceControl, ABudgetOutOfReachNeitherOverflowsNorStays) {

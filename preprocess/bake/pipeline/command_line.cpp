@@ -347,19 +347,6 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
 }
 
-/// Refuses an output whose name says that it is of another kind. Errors: kUsage.
-void requireGlb(const CommandLine& result) {
-  if (isBatch(result)) return;
-  const std::string extension = CLI::detail::to_lower(result.output.extension().string());
-  for (const char* other : {".gltf", ".obj", ".ply", ".stl", ".png", ".jpg", ".jpeg", ".webp", ".json", ".html"}) {
-    if (extension == other) {
-      throw Error(ErrorCode::kUsage,
-                  fmt::format("the output is a GLB file; give it a name that ends in .glb, not {}", extension),
-                  result.output);
-    }
-  }
-}
-
 /// Checks options against each other.
 void checkOptions(const CLI::App& program, const CommandLine& result) {
   const ChainOptions& chain = result.bake.chain;
@@ -383,7 +370,6 @@ void checkOptions(const CLI::App& program, const CommandLine& result) {
     throw Error(ErrorCode::kUsage, "inputs is required (see jalousie-bake --help)");
   if (program.count("--cache-limit") > 0 && result.cache.empty())
     throw Error(ErrorCode::kUsage, "--cache-limit has no effect without --cache");
-  requireGlb(result);
   if (result.keepExtension && !isBatch(result))
     throw Error(ErrorCode::kUsage, "--keep-extension has no effect if the output is one file");
 }
