@@ -100,13 +100,15 @@ void checkOutputs(std::span<const NamedFile> outputs, std::span<const fs::path> 
         throw Error(ErrorCode::kUsage, fmt::format("{} names an input file; choose another output", output.option),
                     output.path);
     if (isStdout(output)) continue;
-    if (hasForeignExtension(output.path, output.kind))
-      throw Error(ErrorCode::kUsage,
-                  fmt::format("the output is {}; give it a name that ends in {}, not {} ({})", nameOf(output.kind),
-                              extensionOf(output.kind), output.path.extension().string(), output.option),
-                  output.path);
     checkWritable(output);
-    if (replace == Replace::kSameKind) requireReplaceable(output);
+    if (replace == Replace::kAnything) continue;
+    requireReplaceable(output);
+    if (hasForeignExtension(output.path, output.kind))
+      throw Error(
+          ErrorCode::kUsage,
+          fmt::format("the output is {}; give it a name that ends in {}, not {} ({}), or add --force",
+                      nameOf(output.kind), extensionOf(output.kind), output.path.extension().string(), output.option),
+          output.path);
   }
 }
 

@@ -26,8 +26,8 @@ enum class Replace { kSameKind, kAnything };
 
 /// Checks output files before the work that fills them. Whether a disk is full shows only later.
 /// Errors: kUsage if two outputs are one file, if an output is also an input, if it would replace a file of another
-/// kind, if its name has the extension of another kind, or if "-" is given where standard output is not possible;
-/// kWriteFailed if an output is a folder, or its folder is missing or cannot be written.
+/// kind or its name has the extension of another kind (not with kAnything), or if "-" is given where standard output is
+/// not possible; kWriteFailed if an output is a folder, or its folder is missing or cannot be written.
 void checkOutputs(std::span<const NamedFile> outputs, std::span<const std::filesystem::path> inputs,
                   Replace replace = Replace::kSameKind);
 

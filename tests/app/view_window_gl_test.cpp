@@ -191,7 +191,7 @@ TEST_F(ViewWindow, FramesAreSavedAsCsvAndStepped) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ','));
   EXPECT_EQ(lines, state().history.samples().size());
   key("Right");
-  EXPECT_EQ(state().message, "The file has no camera path.");
+  EXPECT_EQ(state().message, "The file has no camera path and no animation.");
   xdotool("key ctrl+r");
   xdotool("mousemove 300 200 mousedown 1");
   for (int i = 1; i <= 12; ++i)

@@ -84,6 +84,52 @@ void checkScene(const asset::SceneFile& scene) {
     JAL_CHECK(instance.chain < scene.chains.size());
 }
 
+void checkBending(const asset::PrimitiveBending& bending, std::size_t vertices, const asset::SceneMotion& motion) {
+  JAL_CHECK(bending.positions.size() == vertices);
+  JAL_CHECK((bending.normals.empty() || bending.normals.size() == vertices));
+  JAL_CHECK(bending.deltas.size() == bending.targets * vertices);
+  for (const gpu::Influence& influence : bending.influences)
+    JAL_CHECK(influence.joint < motion.joints.size());
+  if (!bending.isSkinned) return;
+  JAL_CHECK(bending.firstInfluence.size() == vertices + 1);
+  JAL_CHECK(std::is_sorted(bending.firstInfluence.begin(), bending.firstInfluence.end()));
+  JAL_CHECK(bending.firstInfluence.back() == bending.influences.size());
+}
+
+/// Every index that a kernel follows is in range.
+void checkMotion(const asset::SceneFile& scene) {
+  const asset::SceneMotion& motion = scene.motion;
+  const auto isTrack = [&](gpu::uint track) { return track == gpu::kNoMotion || track < motion.tracks.size(); };
+  const auto isNode = [&](gpu::uint node, std::size_t end) { return node == gpu::kNoMotion || node < end; };
+  for (const gpu::MotionTrack& track : motion.tracks) {
+    const std::uint64_t parts = track.interpolation == gpu::kMotionCubic ? 3 : 1;
+    JAL_CHECK(track.keyCount > 0U);
+    JAL_CHECK(std::uint64_t{track.firstTime} + track.keyCount <= motion.numbers.size());
+    JAL_CHECK(track.firstValue + parts * track.keyCount * track.width <= motion.numbers.size());
+  }
+  for (std::size_t n = 0; n < motion.nodes.size(); ++n) {
+    const gpu::MotionNode& node = motion.nodes[n];
+    JAL_CHECK(isNode(node.anchor, n));
+    JAL_CHECK((isTrack(node.translationTrack) && isTrack(node.rotationTrack) && isTrack(node.scaleTrack)));
+  }
+  for (const gpu::MotionWeight& weight : motion.weights)
+    JAL_CHECK((weight.track == gpu::kNoMotion || weight.component < motion.tracks.at(weight.track).width));
+  for (const gpu::MotionTarget& joint : motion.joints)
+    JAL_CHECK(isNode(joint.node, motion.nodes.size()));
+  for (const asset::Follower& follower : motion.instances)
+    JAL_CHECK((follower.index < scene.instances.size() && follower.target.node < motion.nodes.size()));
+  for (const asset::Follower& follower : motion.looseInstances)
+    JAL_CHECK((follower.index < scene.looseInstances.size() && follower.target.node < motion.nodes.size()));
+  for (const asset::MeshBending& mesh : motion.meshes) {
+    const std::vector<asset::Primitive>& primitives = scene.meshes.at(mesh.mesh).primitives;
+    JAL_CHECK(mesh.primitives.size() == primitives.size());
+    for (std::size_t p = 0; p < primitives.size(); ++p) {
+      checkBending(mesh.primitives[p], primitives[p].positions.size(), motion);
+      JAL_CHECK(mesh.firstWeight + mesh.primitives[p].targets <= motion.weights.size());
+    }
+  }
+}
+
 /// What was accepted can be written, and what was written is accepted.
 void checkRoundTrip(tinygltf::Model model, bool compress) {
   std::vector<std::byte> encoded;
@@ -203,6 +249,10 @@ void exerciseGltf(Bytes bytes) {
     bake::inspectModel(model);
     try {
       checkScene(asset::readScene(model, path, smallLimits()));
+      const asset::SceneFile moving =
+          asset::readScene(model, path, smallLimits(), {.check = {}, .seconds = {}, .plays = true});
+      checkScene(moving);
+      checkMotion(moving);
     } catch (const Error&) {
     }
     checkRoundTrip(std::move(model), !bytes.empty() && bytes.back() == std::byte{'c'});

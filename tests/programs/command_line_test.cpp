@@ -146,6 +146,7 @@ std::vector<BadOutput> badOutputs() {
       {{bake, {"ball.glb", "-o", "-", "--json", "-"}}, 2, "cannot go to standard output"},
       {{bake, {"inspect", "none.glb", "--sheet", "no/a.html"}}, 8, "the folder no does not exist"},
       {{bake, {"inspect", "ball.glb", "--sheet", "ball.glb"}}, 2, "names an input file"},
+      {{scatter, {"ball.glb", "--count", "2", "-o", "a.png"}}, 2, "give it a name that ends in .glb, not .png"},
       {{scatter, {"none.glb", "--count", "2", "-o", "no/a.glb"}}, 8, "the folder no does not exist"},
       {{scatter, {"ball.glb", "--count", "2", "-o", "ball.glb"}}, 2, "names an input file"},
       {{scatter, {"ball.glb", "--count", "2", "-o", "report.json"}}, 2, "would be replaced by a glTF scene"},
