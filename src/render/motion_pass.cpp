@@ -15,7 +15,7 @@ using visibility::dispatchGroups;
 using visibility::objectGroups;
 
 template <class T>
-gl::Buffer upload(const std::vector<T>& elements, const char* name) {
+gl::Buffer storageOf(const std::vector<T>& elements, const char* name) {
   visibility::checkStorage(elements.size() * sizeof(T), name);
   return gl::Buffer::fromArray(std::span<const T>(elements), name);
 }
@@ -48,17 +48,17 @@ MotionPass::MotionPass(const scene::MotionData& motion, const gl::ShaderLibrary&
       bendVertices_(programSource(ProgramId::kBendVertices), shaders),
       boundPoses_(programSource(ProgramId::kBoundPoses), shaders),
       viewBuffer_(sizeof(gpu::MotionView), GL_DYNAMIC_STORAGE_BIT, "motion view"),
-      numbers_(upload(motion.numbers, "animation keys")),
-      tracks_(upload(motion.tracks, "animation tracks")),
-      nodes_(upload(motion.nodes, "animated nodes")),
-      weightTable_(upload(motion.weights, "animated weights")),
-      targets_(upload(motion.targets, "animation targets")),
-      vertices_(upload(motion.vertices, "bent vertices")),
-      influences_(upload(motion.influences, "influences of joints")),
-      deltas_(upload(motion.deltas, "morph targets")),
-      chains_(upload(motion.chains, "bent chains")),
-      boxes_(upload(motion.boxes, "boxes of joints")),
-      deltaBoxes_(upload(motion.deltaBoxes, "boxes of morph targets")),
+      numbers_(storageOf(motion.numbers, "animation keys")),
+      tracks_(storageOf(motion.tracks, "animation tracks")),
+      nodes_(storageOf(motion.nodes, "animated nodes")),
+      weightTable_(storageOf(motion.weights, "animated weights")),
+      targets_(storageOf(motion.targets, "animation targets")),
+      vertices_(storageOf(motion.vertices, "bent vertices")),
+      influences_(storageOf(motion.influences, "influences of joints")),
+      deltas_(storageOf(motion.deltas, "morph targets")),
+      chains_(storageOf(motion.chains, "bent chains")),
+      boxes_(storageOf(motion.boxes, "boxes of joints")),
+      deltaBoxes_(storageOf(motion.deltaBoxes, "boxes of morph targets")),
       locals_(room<gpu::Transform>(motion.nodes.size(), "transforms of animated nodes")),
       weights_(room<float>(motion.weights.size(), "weights of morph targets")),
       joints_(room<gpu::Transform>(motion.jointCount(), "joints")) {

@@ -19,7 +19,7 @@ constexpr std::size_t kMostSamples = 512;
 constexpr std::size_t kLooseInterval = 16;
 
 /// The keys around the time.
-struct KeySpan {
+struct KeysAround {
   std::uint32_t first;
   std::uint32_t second;
   float share;   ///< of the second, 0 to 1
@@ -44,7 +44,7 @@ class Keys {
   glm::vec4 rotation(std::uint32_t index, const glm::vec4& rest) const {
     if (index == gpu::kNoMotion) return rest;
     const gpu::MotionTrack& track = motion_.tracks[index];
-    const KeySpan span = find(track);
+    const KeysAround span = find(track);
     if (track.interpolation == gpu::kMotionLinear && span.first != span.second)
       return slerp(keyRotation(track, span.first), keyRotation(track, span.second), span.share);
     return glm::normalize(
@@ -52,7 +52,7 @@ class Keys {
   }
 
  private:
-  KeySpan find(const gpu::MotionTrack& track) const {
+  KeysAround find(const gpu::MotionTrack& track) const {
     const auto first = motion_.numbers.begin() + track.firstTime;
     const auto low = static_cast<std::uint32_t>(std::upper_bound(first, first + track.keyCount, seconds_) - first);
     if (low == 0) return {0, 0, 0.0F, 0.0F};
@@ -67,7 +67,7 @@ class Keys {
     return motion_.numbers[track.firstValue + value * track.width + component];
   }
 
-  float componentAt(const gpu::MotionTrack& track, const KeySpan& span, std::uint32_t component) const {
+  float componentAt(const gpu::MotionTrack& track, const KeysAround& span, std::uint32_t component) const {
     const float value = number(track, span.first, 1, component);
     if (span.first == span.second || track.interpolation == gpu::kMotionStep) return value;
     const float next = number(track, span.second, 1, component);
