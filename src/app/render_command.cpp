@@ -68,11 +68,12 @@ void render(const RenderOptions& options) {
   if (!options.quiet) warnIgnored(options.scene, scene.ignored);
   if (rowOf(options.frameOptions.detail).patches)
     warnTessellationLimit(options.scene, scene, context.capabilities(), options.frameOptions.maxTessellation);
-  if (report.statistics.dropped > 0)
+  if (report.statistics.dropped > 0) {
     printError(fmt::format("jalousie: warning: {}: {} {} found no room in a draw list of {} and are missing",
                            oneLine(options.scene.string()), report.statistics.dropped,
                            scene.cells.objects.empty() ? "objects" : "cells of objects",
                            options.rendererOptions.capacity.value_or(0)));
+  }
   if (!options.quiet)
     warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics, options.settle);
   if (!options.quiet) warnUnknownLevels(options.scene, scene, rowOf(options.frameOptions.lodRule));

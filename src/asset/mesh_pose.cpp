@@ -89,7 +89,7 @@ Influences readInfluences(const tinygltf::Model& model, const tinygltf::Primitiv
   for (std::size_t v = 0; v < count; ++v) {
     const std::size_t first = result.entries.size();
     result.first.push_back(static_cast<std::uint32_t>(first));
-    for (const Set& set : sets)
+    for (const Set& set : sets) {
       for (int k = 0; k < 4; ++k) {
         const float weight = set.weights[v][k];
         if (!(weight > 0.0F)) continue;  // joints of unused weights may be anything
@@ -98,6 +98,7 @@ Influences readInfluences(const tinygltf::Model& model, const tinygltf::Primitiv
           malformed("a vertex names a joint that its skin does not have");
         result.entries.push_back({static_cast<std::uint32_t>(joint), weight});
       }
+    }
     normalizeWeights(std::span(result.entries).subspan(first));
     if (result.entries.size() > 0xFFFFFFFFULL) throw Error(ErrorCode::kLimit, "a skin has too many weights");
   }

@@ -116,15 +116,18 @@ void Experiment::planSteps() {
 
 void Experiment::readFinishedSteps() {
   done_ = readLog(inputs_.folder, inputs_.fingerprint, results_);
-  for (const Sample& sample : results_.samples)
-    if (sample.configuration >= inputs_.configurations.size())
+  for (const Sample& sample : results_.samples) {
+    if (sample.configuration >= inputs_.configurations.size()) {
       throw Error(ErrorCode::kMalformed,
                   "names configurations that do not exist; say --force instead of --resume to start over",
                   inputs_.folder);
-  if (done_ > steps_.size())
+    }
+  }
+  if (done_ > steps_.size()) {
     throw Error(ErrorCode::kUsage,
                 "holds more steps than this experiment has; say --force instead of --resume to start over",
                 inputs_.folder);
+  }
 }
 
 std::string Experiment::nextStep() const {

@@ -103,12 +103,13 @@ void checkOutputs(std::span<const NamedFile> outputs, std::span<const fs::path> 
     checkWritable(output);
     if (replace == Replace::kAnything) continue;
     requireReplaceable(output);
-    if (hasForeignExtension(output.path, output.kind))
+    if (hasForeignExtension(output.path, output.kind)) {
       throw Error(
           ErrorCode::kUsage,
           fmt::format("the output is {}; give it a name that ends in {}, not {} ({}), or add --force",
                       nameOf(output.kind), extensionOf(output.kind), output.path.extension().string(), output.option),
           output.path);
+    }
   }
 }
 

@@ -228,7 +228,7 @@ class MotionBuilder {
 
   void addBoxes(const MeshBending& bending, gpu::BentChain& bent) {
     std::map<std::uint32_t, JointBox> joints;
-    for (const PrimitiveBending& primitive : bending.primitives)
+    for (const PrimitiveBending& primitive : bending.primitives) {
       for (std::size_t v = 0; v < primitive.positions.size(); ++v) {
         if (!primitive.isSkinned) {
           joints[gpu::kNoMotion].add(primitive, v);
@@ -242,6 +242,7 @@ class MotionBuilder {
         }
         addSum(sum * (sum < 1.0F ? 1.0F - gpu::kBentRounding : 1.0F + gpu::kBentRounding), bent);
       }
+    }
     if (joints.empty()) joints[gpu::kNoMotion].box.add(glm::vec3(0.0F));  // no vertex has an influence
     for (const auto& [joint, box] : joints)
       addBox(box, joint, bending.firstWeight);

@@ -198,12 +198,14 @@ TEST(Motion, TheBoundsOfTheSceneHoldAllPoses) {
   for (float seconds = 0.0F; seconds < 2.0F; seconds += 0.1F) {
     poseScene(scene, seconds);
     const float slack = 0.02F * scene.boundsWorld.diagonal();
-    for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
-      for (const glm::dvec3& place : placesOf(scene, object))
+    for (std::uint32_t object = 0; object < scene.objects.size(); ++object) {
+      for (const glm::dvec3& place : placesOf(scene, object)) {
         for (int k = 0; k < 3; ++k) {
           ASSERT_GT(place[k], static_cast<double>(scene.boundsWorld.min[k] - slack));
           ASSERT_LT(place[k], static_cast<double>(scene.boundsWorld.max[k] + slack));
         }
+      }
+    }
   }
 }
 

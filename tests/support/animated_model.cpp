@@ -116,11 +116,12 @@ class Builder {
       };
     };
     if (random_.below(2) == 0) animate(node, "translation", 3, vector(-4.0F, 4.0F));
-    if (random_.below(2) == 0)
+    if (random_.below(2) == 0) {
       animate(node, "rotation", 4, [this](std::vector<float>& values, bool isTangent) {
         const glm::quat q = isTangent ? glm::quat(0.1F, 0.1F, -0.1F, 0.2F) : randomTurn();
         values.insert(values.end(), {q.x, q.y, q.z, q.w});
       });
+    }
     if (random_.below(2) == 0) animate(node, "scale", 3, vector(0.5F, 1.5F));
   }
 
