@@ -246,7 +246,7 @@ int compareScene(const CompareOptions& options) {
                                            {.observer = {}, .seconds = options.time, .plays = !options.time});
   const scene::SceneData plain = scene::buildScene(file);
   const asset::Camera path = loadPath(options, file, plain);
-  const std::uint32_t frames = std::max(scene::frameCount(path), scene::frameCount(file.motion.lastKey));
+  const std::uint32_t frames = pathFrames({path}, file.motion.lastKey);
   compare::Plan plan = makePlan(options, frames);
   std::deque<scene::SceneData> others;
   const compare::Scenes scenes = scenesOf(file, plain, setup, others);

@@ -20,7 +20,7 @@ scene::Camera pathCamera(const RenderOptions& options, const scene::SceneData& s
                          const std::vector<asset::Camera>& path, float frame) {
   if (path.empty() && scene.motion.empty())
     throw Error(ErrorCode::kUsage, "the scene has no camera; say --eye and --look instead of a frame", options.scene);
-  const std::uint32_t frames = pathFrames(path, scene.motion);
+  const std::uint32_t frames = pathFrames(path, scene.motion.lastKey);
   if (frame > static_cast<float>(frames - 1))
     throw Error(ErrorCode::kUsage, fmt::format("frame {} is beyond the camera path (0..{})", frame, frames - 1),
                 options.scene);
@@ -41,8 +41,8 @@ scene::Camera drawCamera(const RenderOptions& options, const scene::SceneData& s
 
 }  // namespace
 
-std::uint32_t pathFrames(const std::vector<asset::Camera>& path, const scene::MotionData& motion) {
-  return std::max(path.empty() ? 1U : scene::frameCount(path.front()), scene::frameCount(motion.lastKey));
+std::uint32_t pathFrames(const std::vector<asset::Camera>& path, float lastKey) {
+  return std::max(path.empty() ? 1U : scene::frameCount(path.front()), scene::frameCount(lastKey));
 }
 
 std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const MemoryLimit& memory,

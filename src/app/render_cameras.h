@@ -19,8 +19,9 @@ inline bool playsAnimations(const RenderOptions& options) {
   return options.frame.has_value() && !options.time;
 }
 
-/// Frames of a camera path and of what moves, at least 1. @param path  may be empty
-std::uint32_t pathFrames(const std::vector<asset::Camera>& path, const scene::MotionData& motion);
+/// Frames of a camera path and of what moves, at least 1. @param path  may be empty   @param lastKey  of the
+/// animations, seconds
+std::uint32_t pathFrames(const std::vector<asset::Camera>& path, float lastKey);
 
 /// Cameras of a file, relative to a point of its world. Errors: as readSceneFile; kUsage if it holds none.
 std::vector<asset::Camera> pathFromFile(const std::filesystem::path& file, const MemoryLimit& memory,

@@ -305,10 +305,11 @@ class SceneReader {
     }
     const bool once = keep_ == Keep::kNothing && instances.areEqual();
     for (std::uint64_t i = 0; i < (once ? 1 : instances.count); ++i) {
-      const glm::dmat4 worldFromObject = worldFromNode * instances.nodeFromInstance(i);
+      const glm::dmat4 nodeFromInstance = instances.nodeFromInstance(i);
+      const glm::dmat4 worldFromObject = worldFromNode * nodeFromInstance;
       if (!isFinite(glm::dmat4(glm::mat4(worldFromObject))))
         throw Error(ErrorCode::kMalformed, fmt::format("node {}: instance {} is not finite", node, i));
-      follow(node, instances.nodeFromInstance(i));
+      follow(node, nodeFromInstance);
       addInstance(chain, worldFromObject);
     }
   }

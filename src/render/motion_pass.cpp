@@ -13,12 +13,7 @@ namespace {
 
 using visibility::dispatchGroups;
 using visibility::objectGroups;
-
-template <class T>
-gl::Buffer storageOf(const std::vector<T>& elements, const char* name) {
-  visibility::checkStorage(elements.size() * sizeof(T), name);
-  return gl::Buffer::fromArray(std::span<const T>(elements), name);
-}
+using visibility::uploadStorage;
 
 template <class T>
 gl::Buffer room(std::size_t elements, const char* name) {
@@ -48,17 +43,17 @@ MotionPass::MotionPass(const scene::MotionData& motion, const gl::ShaderLibrary&
       bendVertices_(programSource(ProgramId::kBendVertices), shaders),
       boundPoses_(programSource(ProgramId::kBoundPoses), shaders),
       viewBuffer_(sizeof(gpu::MotionView), GL_DYNAMIC_STORAGE_BIT, "motion view"),
-      numbers_(storageOf(motion.numbers, "animation keys")),
-      tracks_(storageOf(motion.tracks, "animation tracks")),
-      nodes_(storageOf(motion.nodes, "animated nodes")),
-      weightTable_(storageOf(motion.weights, "animated weights")),
-      targets_(storageOf(motion.targets, "animation targets")),
-      vertices_(storageOf(motion.vertices, "bent vertices")),
-      influences_(storageOf(motion.influences, "influences of joints")),
-      deltas_(storageOf(motion.deltas, "morph targets")),
-      chains_(storageOf(motion.chains, "bent chains")),
-      boxes_(storageOf(motion.boxes, "boxes of joints")),
-      deltaBoxes_(storageOf(motion.deltaBoxes, "boxes of morph targets")),
+      numbers_(uploadStorage(motion.numbers, "animation keys")),
+      tracks_(uploadStorage(motion.tracks, "animation tracks")),
+      nodes_(uploadStorage(motion.nodes, "animated nodes")),
+      weightTable_(uploadStorage(motion.weights, "animated weights")),
+      targets_(uploadStorage(motion.targets, "animation targets")),
+      vertices_(uploadStorage(motion.vertices, "bent vertices")),
+      influences_(uploadStorage(motion.influences, "influences of joints")),
+      deltas_(uploadStorage(motion.deltas, "morph targets")),
+      chains_(uploadStorage(motion.chains, "bent chains")),
+      boxes_(uploadStorage(motion.boxes, "boxes of joints")),
+      deltaBoxes_(uploadStorage(motion.deltaBoxes, "boxes of morph targets")),
       locals_(room<gpu::Transform>(motion.nodes.size(), "transforms of animated nodes")),
       weights_(room<float>(motion.weights.size(), "weights of morph targets")),
       joints_(room<gpu::Transform>(motion.jointCount(), "joints")) {

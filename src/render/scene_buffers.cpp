@@ -13,16 +13,11 @@
 namespace jalousie::render {
 namespace {
 
+using visibility::uploadStorage;
+
 template <class T>
 gl::Buffer upload(const std::vector<T>& elements, const char* name) {
   return gl::Buffer::fromArray(std::span<const T>(elements), name);
-}
-
-/// What the kernels read. Errors: kLimit.
-template <class T>
-gl::Buffer uploadStorage(const std::vector<T>& elements, const char* name) {
-  visibility::checkStorage(elements.size() * sizeof(T), name);
-  return upload(elements, name);
 }
 
 gl::Texture makeClass(const scene::TextureClass& size) {

@@ -168,8 +168,7 @@ void Document::loadPath(bool refusesFrames) {
 
 std::uint32_t Document::pathFrames() const {
   if (path_.empty() && !isAnimated()) return 0;
-  const std::uint32_t animated = scene_ ? scene::frameCount(scene_->motion.lastKey) : 1;
-  return std::max(path_.empty() ? 1U : scene::frameCount(path_.front()), animated);
+  return app::pathFrames(path_, scene_ ? scene_->motion.lastKey : 0.0F);
 }
 
 void Document::showFrame(float frame) {
