@@ -1,5 +1,5 @@
 // Laws of the spatial hierarchy, and its queries against brute force.
-#include "scene/hierarchy.h"
+#include "culling/hierarchy.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "scene/camera.h"
 #include "support/scenes.h"
 
-namespace jalousie::scene {
+namespace jalousie::culling {
 namespace {
 
 bool holds(const Aabb& outer, const Aabb& inner) {
@@ -155,14 +155,14 @@ bool mayBeInside(const std::vector<glm::vec4>& planes, const Aabb& box) {
 }
 
 TEST(Hierarchy, QueriesGiveWhatBruteForceGives) {
-  const SceneData scene = buildScene(test::randomSpheres(3000, 20.0F, 5));
+  const scene::SceneData scene = scene::buildScene(test::randomSpheres(3000, 20.0F, 5));
   const SpatialHierarchy tree = buildHierarchy(scene);
   std::size_t visited = 0;
   std::size_t tests = 0;
   for (const glm::vec3 eye : {glm::vec3(0, 0, 60), glm::vec3(3, 2, 1), glm::vec3(-25, 9, 0)}) {
-    Camera camera = lookAt(eye, {1, 0.5F, 0}, scene.boundsWorld);
+    scene::Camera camera = scene::lookAt(eye, {1, 0.5F, 0}, scene.boundsWorld);
     camera.fovY = 0.2F;
-    const std::vector<glm::vec4> planes = planesOf(clipFromWorld(camera, 1.5F));
+    const std::vector<glm::vec4> planes = planesOf(scene::clipFromWorld(camera, 1.5F));
     std::vector<std::uint32_t> found;
     visitObjects(
         tree,
@@ -188,15 +188,59 @@ TEST(Hierarchy, ObjectsThatShareATransformAndOverflowsHaveBoxes) {
   asset::SceneFile file = test::sphereChain(1);
   test::addInstance(file, 0, {5, 0, 0}, glm::vec3(1));
   test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1));
-  SceneData scene = buildScene(file);
+  scene::SceneData scene = scene::buildScene(file);
   scene.objects[1].transform = 0;
   EXPECT_EQ(worldBounds(scene, 1).center(), worldBounds(scene, 0).center());
   scene.chains[0].boundsMaxObject = glm::vec4(3e38F);
-  scene.transforms[0] = makeTransform(glm::mat4(glm::mat3(9.0F)));
+  scene.transforms[0] = scene::makeTransform(glm::mat4(glm::mat3(9.0F)));
   const SpatialHierarchy tree = buildHierarchy(scene, {1});
   expectLaws(tree, {worldBounds(scene, 0), worldBounds(scene, 1)}, 1);
   EXPECT_EQ(worldBounds(scene, 0).min.x, std::numeric_limits<float>::lowest());
 }
 
+/// Boxes a step further along paths of their own.
+std::vector<Aabb> moved(std::vector<Aabb> boxes, float distance, std::uint64_t seed) {
+  Random random(seed);
+  for (Aabb& box : boxes) {
+    const glm::vec3 step(random.uniform(-distance, distance), random.uniform(-distance, distance), 0);
+    box = {box.min + step, box.max + step};
+  }
+  return boxes;
+}
+
+TEST(Hierarchy, FitsObjectsThatMove) {
+  for (const std::size_t count : {0U, 1U, 2U, 900U}) {
+    const std::vector<Aabb> boxes = randomBoxes(count, 3);
+    SpatialHierarchy tree = buildHierarchy(boxes);
+    const std::vector<Aabb> later = moved(boxes, 30.0F, 9);
+    refit(tree, later);
+    expectLaws(tree, later, 4);
+  }
+}
+
+TEST(Hierarchy, IsBuiltAnewOnlyWhereItsCostHasGrownByHalf) {
+  const std::vector<Aabb> boxes = randomBoxes(3000, 4);
+  MovingHierarchy hierarchy(boxes);
+  EXPECT_FALSE(hierarchy.follow(moved(boxes, 0.05F, 1)));
+  const double cost = costOf(hierarchy.tree());
+  const std::vector<Aabb> far = moved(boxes, 60.0F, 2);
+  EXPECT_TRUE(hierarchy.follow(far));
+  expectLaws(hierarchy.tree(), far, 4);
+  EXPECT_EQ(costOf(hierarchy.tree()), costOf(buildHierarchy(far)));
+  EXPECT_GT(cost, 1.0);
+  EXPECT_EQ(costOf(buildHierarchy(std::vector<Aabb>{})), 0.0);
+  EXPECT_FALSE(MovingHierarchy(std::vector<Aabb>(50, Aabb{glm::vec3(1), glm::vec3(1)}))
+                   .follow(std::vector<Aabb>(50, Aabb{glm::vec3(2), glm::vec3(2)})))
+      << "all objects at one point";
+}
+
+TEST(Hierarchy, TwoHundredThousandMovingObjectsKeepTheLaws) {
+  const std::vector<Aabb> boxes = randomBoxes(200'000, 5);
+  MovingHierarchy hierarchy(boxes);
+  const std::vector<Aabb> later = moved(boxes, 2.0F, 6);
+  hierarchy.follow(later);
+  expectLaws(hierarchy.tree(), later, 4);
+}
+
 }  // namespace
-}  // namespace jalousie::scene
+}  // namespace jalousie::culling

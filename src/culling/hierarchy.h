@@ -10,7 +10,7 @@
 #include "core/aabb.h"
 #include "scene/scene_data.h"
 
-namespace jalousie::scene {
+namespace jalousie::culling {
 
 /// HierarchyNode::parent of the root.
 inline constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
@@ -46,11 +46,37 @@ struct HierarchyOptions {
 /// @param boundsWorld  [object count], min <= max, no NaN (checked)   O(n log n); throws only std::bad_alloc
 SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options = {});
 /// As above, over the world boxes of the scene's objects (worldBounds).
-SpatialHierarchy buildHierarchy(const SceneData& scene, const HierarchyOptions& options = {});
+SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOptions& options = {});
+
+/// Expected cost of finding what a ray or a small query meets: surface areas of the inner nodes plus those of the
+/// leaves times their objects, over the area of the root; 0 for an empty hierarchy. The measure that buildHierarchy
+/// keeps small, and that grows as objects move away from where they were when it was built.
+double costOf(const SpatialHierarchy& hierarchy);
+
+/// Fits all boxes to objects that moved; the tree stays as it is. O(nodes), allocates nothing.
+/// @param boundsWorld  [objects.size()] by object, min <= max, no NaN (checked)
+void refit(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld);
+
+/// A hierarchy over objects that move: fitted anew, and built anew where its cost has grown by half since it was built.
+class MovingHierarchy {
+ public:
+  /// As buildHierarchy.
+  explicit MovingHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options = {});
+
+  const SpatialHierarchy& tree() const { return tree_; }
+  /// Follows the objects. Returns whether the tree was built anew, so that node numbers mean other nodes now.
+  bool follow(std::span<const Aabb> boundsWorld);
+
+ private:
+  HierarchyOptions options_;
+  SpatialHierarchy tree_;
+  double builtCost_;
+};
 
 /// World box of one object: the box of its chain, transformed. A coordinate outside the range of float, which the
 /// product of an extreme transform and an extreme box may have, widens the box to the whole range on its axis.
-Aabb worldBounds(const SceneData& scene, std::uint32_t object);
+Aabb worldBounds(const gpu::Chain& chain, const gpu::Transform& transform);
+Aabb worldBounds(const scene::SceneData& scene, std::uint32_t object);
 
 /// Calls visit(object index) for each object whose box passes the test, in the order of `objects`, and leaves out all
 /// nodes whose box fails it. Needs no stack.
@@ -70,4 +96,4 @@ void visitObjects(const SpatialHierarchy& hierarchy, const Test& test, const Vis
   }
 }
 
-}  // namespace jalousie::scene
+}  // namespace jalousie::culling

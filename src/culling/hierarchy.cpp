@@ -1,5 +1,5 @@
 // Builds the tree in depth-first order with a stack of ranges; no recursion.
-#include "scene/hierarchy.h"
+#include "culling/hierarchy.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "core/check.h"
 
-namespace jalousie::scene {
+namespace jalousie::culling {
 namespace {
 
 constexpr std::uint32_t kBins = 16;
@@ -195,7 +195,7 @@ SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const Hierarc
   return Builder(boundsWorld, options).build();
 }
 
-SpatialHierarchy buildHierarchy(const SceneData& scene, const HierarchyOptions& options) {
+SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOptions& options) {
   std::vector<Aabb> boxes;
   boxes.reserve(scene.objects.size());
   for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
@@ -203,9 +203,56 @@ SpatialHierarchy buildHierarchy(const SceneData& scene, const HierarchyOptions& 
   return buildHierarchy(boxes, options);
 }
 
-Aabb worldBounds(const SceneData& scene, std::uint32_t object) {
-  const gpu::Chain& chain = scene.chains[scene.objects[object].chain];
-  Aabb box = transformed(worldFromObject(scene.transforms[scene.objects[object].transform]),
+double costOf(const SpatialHierarchy& hierarchy) {
+  if (hierarchy.nodes.empty()) return 0.0;
+  double sum = 0.0;
+  for (std::uint32_t n = 0; n < hierarchy.nodes.size(); ++n) {
+    const HierarchyNode& node = hierarchy.nodes[n];
+    sum += surfaceArea(node.boundsWorld) * (hierarchy.isLeaf(n) ? node.objectCount : 1);
+  }
+  const double root = surfaceArea(hierarchy.nodes[0].boundsWorld);
+  return root > 0.0 ? sum / root : 0.0;
+}
+
+void refit(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld) {
+  JAL_CHECK(boundsWorld.size() == hierarchy.objects.size());
+  for (std::size_t i = 0; i < hierarchy.objects.size(); ++i) {
+    const Aabb& box = boundsWorld[hierarchy.objects[i]];
+    JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
+    hierarchy.objectBounds[i] = box;
+  }
+  // Children stand behind their parents.
+  for (auto n = static_cast<std::uint32_t>(hierarchy.nodes.size()); n-- > 0;) {
+    HierarchyNode& node = hierarchy.nodes[n];
+    node.boundsWorld = {};
+    if (hierarchy.isLeaf(n)) {
+      for (std::uint32_t i = 0; i < node.objectCount; ++i)
+        node.boundsWorld.add(hierarchy.objectBounds[node.firstObject + i]);
+    } else {
+      node.boundsWorld.add(hierarchy.nodes[n + 1].boundsWorld);
+      node.boundsWorld.add(hierarchy.nodes[hierarchy.nodes[n + 1].skip].boundsWorld);
+    }
+  }
+}
+
+MovingHierarchy::MovingHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options)
+    : options_(options), tree_(buildHierarchy(boundsWorld, options)), builtCost_(costOf(tree_)) {}
+
+bool MovingHierarchy::follow(std::span<const Aabb> boundsWorld) {
+  constexpr double kWorst = 1.5;
+  refit(tree_, boundsWorld);
+  if (!(costOf(tree_) > kWorst * builtCost_)) return false;
+  tree_ = buildHierarchy(boundsWorld, options_);
+  builtCost_ = costOf(tree_);
+  return true;
+}
+
+Aabb worldBounds(const scene::SceneData& scene, std::uint32_t object) {
+  return worldBounds(scene.chains[scene.objects[object].chain], scene.transforms[scene.objects[object].transform]);
+}
+
+Aabb worldBounds(const gpu::Chain& chain, const gpu::Transform& transform) {
+  Aabb box = transformed(scene::worldFromObject(transform),
                          {glm::vec3(chain.boundsMinObject), glm::vec3(chain.boundsMaxObject)});
   for (int axis = 0; axis < 3; ++axis) {
     if (std::isfinite(box.min[axis]) && std::isfinite(box.max[axis])) continue;
@@ -215,4 +262,4 @@ Aabb worldBounds(const SceneData& scene, std::uint32_t object) {
   return box;
 }
 
-}  // namespace jalousie::scene
+}  // namespace jalousie::culling

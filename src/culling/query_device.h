@@ -1,0 +1,89 @@
+// What a scheduler of occlusion queries works on: OpenGL in the renderer, a software raster in tests.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace jalousie::culling {
+
+/// What a frame of queries took.
+struct QueryFigures {
+  std::uint64_t queries = 0;
+  std::uint64_t queryBoxes = 0;       ///< drawn by them
+  std::uint64_t queryWaits = 0;       ///< answers that were waited for: not known from a later query to be there
+  std::uint64_t queryRoundTrips = 0;  ///< of them: for the newest query, so that nothing is left to do meanwhile
+  std::uint64_t querySwitches = 0;    ///< between drawing objects and asking
+  std::uint64_t slices = 0;           ///< ranges of objects drawn
+  std::uint64_t nodesVisited = 0;     ///< of the hierarchy
+  std::uint64_t planeTests = 0;       ///< box against plane
+};
+
+/// Draws and asks in the order of the calls. Counts what it is told.
+class QueryDevice {
+ public:
+  using Query = std::uint32_t;
+
+  virtual ~QueryDevice() = default;
+
+  /// Starts a query: how many samples of these nodes' boxes pass the depth test against what is drawn so far, boxes
+  /// grown by queryGrowth. Several boxes may count a sample more than once. @pre at most capacity() queries unanswered
+  Query ask(std::span<const std::uint32_t> nodes) {
+    if (asking_ != 1) ++figures_.querySwitches;
+    asking_ = 1;
+    ++figures_.queries;
+    figures_.queryBoxes += nodes.size();
+    const Query query = startQuery(nodes);
+    newest_ = ++asked_;
+    return query;
+  }
+  /// Waits for an answer and takes the query back. @param order  how many queries had been asked with this one (asked())
+  std::uint64_t answer(Query query, std::uint64_t order) {
+    if (order > finished_) {
+      ++figures_.queryWaits;
+      if (order == newest_) ++figures_.queryRoundTrips;
+      finished_ = order;
+    }
+    return takeAnswer(query);
+  }
+  /// Draws the objects at these places of the hierarchy's order.
+  void draw(std::uint32_t first, std::uint32_t count) {
+    if (asking_ == 1) ++figures_.querySwitches;
+    asking_ = 0;
+    ++figures_.slices;
+    drawObjects(first, count);
+  }
+  /// What is drawn if more samples pass than the threshold that the device was made for.
+  struct Conditional {
+    Query query;
+    std::uint32_t first;
+    std::uint32_t count;
+  };
+  /// Draws each range whose query found it visible, and takes the queries back. Nobody waits for the answers.
+  void drawWhereVisible(std::span<const Conditional> ranges) {
+    if (asking_ == 1) ++figures_.querySwitches;
+    asking_ = 0;
+    figures_.slices += ranges.size();
+    drawConditionally(ranges);
+  }
+  /// Queries asked since the device was made.
+  std::uint64_t asked() const { return asked_; }
+  /// Most queries that may be unanswered at a time.
+  virtual std::uint32_t capacity() const = 0;
+
+  QueryFigures& figures() { return figures_; }
+
+ protected:
+  virtual Query startQuery(std::span<const std::uint32_t> nodes) = 0;
+  virtual std::uint64_t takeAnswer(Query query) = 0;
+  virtual void drawConditionally(std::span<const Conditional> ranges) = 0;
+  virtual void drawObjects(std::uint32_t first, std::uint32_t count) = 0;
+
+ private:
+  QueryFigures figures_;
+  std::uint64_t asked_ = 0;
+  std::uint64_t newest_ = 0;
+  std::uint64_t finished_ = 0;
+  int asking_ = 0;
+};
+
+}  // namespace jalousie::culling

@@ -1,0 +1,88 @@
+// What all schedules share.
+#include "culling/query_schedule.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace jalousie::culling {
+
+QuerySchedule::QuerySchedule(const SpatialHierarchy& tree) : tree_(tree) {
+  resizeHistory();
+}
+
+void QuerySchedule::resizeHistory() {
+  history_.assign(tree_.nodes.size(), {});
+  planesOf_.assign(tree_.nodes.size(), kAllPlanes);
+  planesFrame_.assign(tree_.nodes.size(), 0);
+  leaves_.reserve(tree_.nodes.size() / 2 + 1);
+}
+
+void QuerySchedule::run(const QueryView& view, const QueryOptions& options, QueryDevice& device) {
+  JAL_CHECK(options.batch >= 1U);
+  view_ = &view;
+  options_ = options;
+  device_ = &device;
+  ++frame_;
+  if (!tree_.nodes.empty()) decide();
+}
+
+void QuerySchedule::forget(QueryDevice& device) {
+  device_ = &device;
+  dropPending();
+  resizeHistory();
+}
+
+bool QuerySchedule::inView(std::uint32_t node) {
+  ++device_->figures().nodesVisited;
+  const HierarchyNode& n = tree_.nodes[node];
+  const bool known = n.parent != kNoParent && planesFrame_[n.parent] == frame_;
+  const std::uint32_t planes = known ? planesOf_[n.parent] : kAllPlanes;
+  planesFrame_[node] = frame_;
+  planesOf_[node] = 0;
+  for (std::uint32_t plane = 0; plane < kPlanes; ++plane) {
+    if ((planes >> plane & 1U) == 0) continue;
+    ++device_->figures().planeTests;
+    const Frustum::Side side = view_->frustum.sideOf(n.boundsWorld, plane);
+    if (side == Frustum::Side::kOutside) return false;
+    if (side == Frustum::Side::kCrosses) planesOf_[node] |= 1U << plane;
+  }
+  return true;
+}
+
+bool QuerySchedule::wasVisible(std::uint32_t node) const {
+  const History& history = history_[node];
+  return history.visited + 1 == frame_ && history.visible + 1 == frame_;
+}
+
+void QuerySchedule::markVisible(std::uint32_t node, std::uint64_t frame) {
+  for (std::uint32_t n = node; n != kNoParent && history_[n].visible != frame; n = tree_.nodes[n].parent) {
+    history_[n].visible = frame;
+    history_[n].hidden = 0;
+  }
+}
+
+void QuerySchedule::drawLeaf(std::uint32_t leaf) {
+  device_->draw(tree_.nodes[leaf].firstObject, tree_.nodes[leaf].objectCount);
+}
+
+QuerySchedule::Asked QuerySchedule::ask(std::uint32_t node, bool drawn) {
+  const QueryDevice::Query query = device_->ask({&node, 1});
+  return {query, device_->asked(), node, drawn};
+}
+
+const std::vector<QuerySchedule::Place>& QuerySchedule::leavesInView() {
+  leaves_.clear();
+  std::uint32_t n = 0;
+  while (n < tree_.nodes.size()) {
+    const bool leaf = tree_.isLeaf(n);
+    const bool in = inView(n);
+    if (in && leaf) leaves_.push_back(placeOf(n));
+    if (!in && leaf) forgetNode(n);
+    n = in ? n + 1 : tree_.nodes[n].skip;
+  }
+  std::sort(leaves_.begin(), leaves_.end());
+  return leaves_;
+}
+
+}  // namespace jalousie::culling
