@@ -13,6 +13,7 @@
 #include "lib/groups.glsl"
 #include "lib/list_buffers.glsl"
 #include "lib/fading.glsl"
+#include "lib/bins.glsl"
 
 layout(local_size_x = kObjectGroupSize) in;
 layout(std430, binding = kBindingTiles) readonly buffer TileBlock { Tile tiles[]; };
@@ -25,25 +26,14 @@ bool drawsOcclusionMap() { return listView.phase == kMarkEarly && !hasTrait(kTra
 
 uint binOf(uint id) {
   uint mark = marks[id];
-  if ((mark & listView.phase) == 0u) return kNoBin;
-  uint level = states[id].lod;
-  bool sheet = (mark & kMarkMirrored) != 0u;
-  if (drawsOcclusionMap() && !hasTrait(kTraitPatches)) {
-    level = (mark & kMarkMapLodMask) >> kMarkMapLodShift;
-  } else if (hasTrait(kTraitPatches)) {
-    level = states[id].tessellation > 1u ? 1u : 0u;  // level 1 leaves the triangles as they are: the plain program
-  } else {
-    sheet = sheet || fadeFrames(mark) > 0u;
-  }
-  return 2u * level + (sheet ? 1u : 0u);
+  return (mark & listView.phase) == 0u ? kNoBin : binOfLevel(states[id], mark, drawsOcclusionMap());
 }
 
 /// Bin of the level that fades out.
 uint fadingBinOf(uint id) {
   uint mark = marks[id];
-  bool fades = fadeFrames(mark) > 0u && (mark & listView.phase) != 0u && !drawsOcclusionMap() &&
-               !hasTrait(kTraitPatches);
-  return fades ? 2u * fadingLod(states[id].lod, mark) + 1u : kNoBin;
+  bool fades = (mark & listView.phase) != 0u && hasFadingLevel(mark, drawsOcclusionMap());
+  return fades ? fadingBinOfLevel(states[id], mark) : kNoBin;
 }
 
 uint slotOf(uint bin, uint rank) { return bin == kNoBin ? kNoBin : (rank << kSlotBinBits) | bin; }

@@ -176,6 +176,73 @@ std::vector<RenderOption> cullingRows() {
   };
 }
 
+std::string modesWith(bool CullModeRow::*property) {
+  return "--mode " + policy::namesWith(cullModeTable(), property);
+}
+template <bool CullModeRow::*kProperty>
+bool modeHas(const Options& o) {
+  return rowOf(o.frameOptions.cullMode).*kProperty;
+}
+
+ChoiceValue multiqueryChoice() {
+  using culling::Multiquery;
+  return {[](const Options& o) {
+            const Multiquery kind = o.frameOptions.queries.multiquery;
+            return std::string(kind == Multiquery::kOff ? "off" : kind == Multiquery::kNodes ? "nodes" : "objects");
+          },
+          [](Options& o, std::string_view name) {
+            o.frameOptions.queries.multiquery = name == "off"     ? Multiquery::kOff
+                                                : name == "nodes" ? Multiquery::kNodes
+                                                                  : Multiquery::kObjects;
+          },
+          {"off", "nodes", "objects"}};
+}
+
+ChoiceValue unitsChoice() {
+  return {[](const Options& o) { return std::string(o.frameOptions.queries.unitsTogether ? "together" : "single"); },
+          [](Options& o, std::string_view name) { o.frameOptions.queries.unitsTogether = name == "together"; },
+          {"together", "single"}};
+}
+
+/// Options of the modes that ask occlusion queries (docs/occlusion_queries.md).
+std::vector<RenderOption> queryRows() {
+  return {
+      {"--query-threshold", "query threshold", "samples",
+       "Take a node for hidden if at most so many samples of its box are visible; above 0 visible pixels can be lost",
+       OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.threshold; }, 0, 0x7fffffffU},
+       modesWith(&CullModeRow::countsSamples), modeHas<&CullModeRow::countsSamples>},
+      {"--query-batch", "query batch", "queries", "Send so many occlusion queries before an answer is waited for",
+       OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.batch; }, 1, 1000},
+       modesWith(&CullModeRow::batchesQueries), modeHas<&CullModeRow::batchesQueries>},
+      {"--multiquery", "queries for several nodes", "",
+       "Let nodes that were hidden ask together. nodes = while more nodes are saved than queries are risked; objects = "
+       "the same with the objects below the nodes; off = one query a node",
+       OptionGroup::kCulling, multiqueryChoice(), modesWith(&CullModeRow::joinsQueries),
+       modeHas<&CullModeRow::joinsQueries>},
+      {"--tight-bounds", "tight bounds", "times the surface",
+       "Ask with the boxes of a node's descendants, up to three levels below it, while their surface is at most so many "
+       "times its own; 0 = with its own box",
+       OptionGroup::kCulling,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.queries.tightBounds; }, 0.0F, 100.0F},
+       modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
+      {"--requery", "query interval", "frames",
+       "Take a visible leaf for visible for so many frames before it asks again; 0 = it asks in every frame",
+       OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.requery; }, 0, 1000},
+       modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
+      {"--query-units", "query units", "",
+       "together = grid nodes that cannot hide each other ask together; single = one after the other",
+       OptionGroup::kCulling, unitsChoice(), modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},
+      {"--plane-depth", "depth of plane tests", "levels of the grid",
+       "Test nodes down to this depth against the planes of the view; deeper ones by their query alone",
+       OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.planeDepth; }, 0, 16},
+       modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},
+  };
+}
+
 std::vector<RenderOption> levelRows() {
   return {
       {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
@@ -263,7 +330,8 @@ std::vector<RenderOption> drawingRows() {
        "Limit the objects that one draw list holds; further objects are counted, reported and not drawn [all]",
        OptionGroup::kDrawing,
        MaybeCountValue{[](Options& o) -> std::optional<std::uint32_t>& { return o.rendererOptions.capacity; }, 1,
-                       0x3fffffffU}},
+                       0x3fffffffU},
+       "a --mode without occlusion queries", [](const Options& o) { return !modeHas<&CullModeRow::asksQueries>(o); }},
       {"--core", "core only", "", "Use OpenGL 4.5 core and no extension; the image is the same", OptionGroup::kDrawing,
        FlagValue{[](Options& o) -> bool& { return o.coreOnly; }}},
   };
@@ -301,7 +369,7 @@ std::vector<RenderOption> viewRows() {
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
   for (std::vector<RenderOption>& some :
-       std::array{cullingRows(), levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
+       std::array{cullingRows(), queryRows(), levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;

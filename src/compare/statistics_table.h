@@ -30,6 +30,14 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"draws", &render::FrameStatistics::draws},
     {"triangles", &render::FrameStatistics::triangles},
     {"triangles_full", &render::FrameStatistics::trianglesFinest},
+    {"queries", &render::FrameStatistics::queries},
+    {"query_boxes", &render::FrameStatistics::queryBoxes},
+    {"query_waits", &render::FrameStatistics::queryWaits},
+    {"query_round_trips", &render::FrameStatistics::queryRoundTrips},
+    {"query_switches", &render::FrameStatistics::querySwitches},
+    {"slices", &render::FrameStatistics::slices},
+    {"nodes_visited", &render::FrameStatistics::nodesVisited},
+    {"plane_tests", &render::FrameStatistics::planeTests},
 };
 
 }  // namespace jalousie::compare

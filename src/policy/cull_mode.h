@@ -14,6 +14,15 @@ enum class CullMode : gpu::uint {
   kHom,       ///< hierarchical occlusion map (Zhang 1997; thesis ch. 3)
   kHomDepth,  ///< the same map, where a texel occludes only what lies behind it
   kHiz,       ///< two phases against the depth of what was visible in the last frame
+  // Hardware occlusion queries over a spatial hierarchy (docs/occlusion_queries.md).
+  kQueryWait,         ///< leaves front to back, one query at a time
+  kQueryBatch,        ///< leaves front to back, queries in batches
+  kChcFlat,           ///< leaves front to back; what was visible in the last frame is drawn before its answer
+  kChc,               ///< coherent hierarchical culling (Bittner et al. 2004)
+  kChcPlusPlus,       ///< CHC++ (Mattausch et al. 2008)
+  kEyeSiding,         ///< units of equal eye-siding over a loose grid
+  kQueryConditional,  ///< batches, drawn by conditional rendering
+  kQueryBuffer,       ///< batches whose counts only kernels read
 };
 
 /// One row of the table. Every property of a mode stands here and nowhere else.
@@ -28,6 +37,11 @@ struct CullModeRow {
   bool conservative = false;    ///< with default options no visible pixel is lost
   bool needsHistory = false;    ///< the frame depends on the frames before it
   bool readsBack = false;       ///< the CPU waits for the GPU inside the frame
+  bool asksQueries = false;     ///< occlusion queries decide, while the frame is drawn in slices
+  bool countsSamples = false;   ///< with asksQueries: how many samples pass can be compared with --query-threshold
+  bool batchesQueries = false;  ///< with asksQueries: --query-batch applies
+  bool joinsQueries = false;    ///< with asksQueries: --multiquery, --tight-bounds and --requery apply
+  bool asksUnits = false;       ///< with asksQueries: --query-units and --plane-depth apply
   float occluderTau = 0.0F;     ///< default of --occluder-tau, pixels; with usesMap
   const char* help;             ///< phrase for --help, panel and docs
 };

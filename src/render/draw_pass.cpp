@@ -50,12 +50,8 @@ void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const vis
   if (scene.objectCount() == 0) return;
   if (part == DrawPart::kBlended && !scene.usesBlending()) return;
   scene.bindForDrawing(list.instances());
-  decided.states->bindStorage(gpu::kBindingStates);
-  decided.marks->bindStorage(gpu::kBindingMarks);
-  decided.boxes->bindStorage(gpu::kBindingDrawBoxes);
-  view_.bindUniform(gpu::kBindingDrawView);
+  bindObjects(decided);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands().id());
-  glPatchParameteri(GL_PATCH_VERTICES, 3);
   const unsigned paths = patches_ && list.options().patches ? 2 : 1;
   for (unsigned path = 0; path < paths; ++path) {
     const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
@@ -73,6 +69,39 @@ void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const vis
     }
   }
   glDisable(GL_CULL_FACE);
+}
+
+void DrawPass::bindObjects(const visibility::ObjectBuffers& decided) const {
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.marks->bindStorage(gpu::kBindingMarks);
+  decided.boxes->bindStorage(gpu::kBindingDrawBoxes);
+  view_.bindUniform(gpu::kBindingDrawView);
+  glPatchParameteri(GL_PATCH_VERTICES, 3);
+}
+
+void DrawPass::bindForSlices(SceneBuffers& scene, const SliceList& list,
+                             const visibility::ObjectBuffers& decided) const {
+  scene.bindForDrawing(*list.instances);
+  bindObjects(decided);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands->id());
+}
+
+void DrawPass::useForSlices(unsigned path, unsigned surface) const {
+  const bool solid = surface == gpu::kListSolid;
+  (solid ? glEnable : glDisable)(GL_CULL_FACE);
+  programOf(DrawKind::kShaded, path, solid ? 0 : 1).use();
+}
+
+void DrawPass::submitSlice(unsigned path, unsigned surface, const SliceList& list, const SlicePlaces& places) const {
+  const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
+  const std::size_t firstOfList = std::size_t{gpu::kListsPerDetail * path + surface} * list.capacity;
+  const auto draw = [&](std::size_t first) {
+    const std::size_t offset = sizeof(gpu::DrawCommand) * (firstOfList + first);
+    glMultiDrawElementsIndirect(primitive, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+                                static_cast<GLsizei>(places.count), 0);
+  };
+  draw(places.first);
+  if (list.fading) draw(std::size_t{list.capacity / 2} + places.first);
 }
 
 const gl::Program& DrawPass::programOf(DrawKind kind, unsigned path, unsigned program) const {

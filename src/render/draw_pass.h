@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "gl/buffer.h"
 #include "gl/capabilities.h"
@@ -21,6 +22,21 @@ enum class DrawKind { kShaded, kOpacity, kId, kDensity };
 
 /// Which surfaces it draws: blended ones come last and never occlude.
 enum class DrawPart { kOpaque, kBlended };
+
+/// Commands at fixed places, so that a range of places can be drawn at a time (slice_commands.comp).
+struct SliceList {
+  const gl::Buffer* instances = nullptr;
+  const gl::Buffer* commands = nullptr;  ///< gpu::DrawCommand [lists][capacity]
+  std::uint32_t capacity = 0;            ///< commands per list: two per place, the second half for fading levels
+  bool patches = false;                  ///< the lists of patches exist
+  bool fading = false;                   ///< levels may fade out in this frame
+};
+
+/// Places of a SliceList.
+struct SlicePlaces {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
 
 /// What the programs are built for.
 struct DrawFeatures {
@@ -41,6 +57,22 @@ class DrawPass {
   /// Draws one part of a list's objects into the bound framebuffer.
   void draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const visibility::DrawList& list,
             const visibility::ObjectBuffers& decided) const;
+  /// Draws the opaque surfaces of some places, shaded, into the bound framebuffer.
+  /// @param each  called as each(i, draw) for every range and program: draw() issues the commands of ranges[i]
+  template <class Each>
+  void drawSlices(std::span<const SlicePlaces> ranges, SceneBuffers& scene, const SliceList& list,
+                  const visibility::ObjectBuffers& decided, const Each& each) const {
+    bindForSlices(scene, list, decided);
+    const unsigned paths = patches_ && list.patches ? 2 : 1;
+    for (unsigned path = 0; path < paths; ++path) {
+      for (const unsigned surface : {gpu::kListSolid, gpu::kListSheet}) {
+        useForSlices(path, surface);
+        for (std::size_t i = 0; i < ranges.size(); ++i)
+          each(i, [&] { submitSlice(path, surface, list, ranges[i]); });
+      }
+    }
+    endSlices();
+  }
   /// Draws all points and lines of a scene into the bound framebuffer.
   void drawLoose(const SceneBuffers& scene) const;
   /// Outlines the rectangle of every object. @param decided  of the frame
@@ -56,6 +88,11 @@ class DrawPass {
   using Programs = std::array<gl::Program, 4>;  ///< solid, sheet, solid patch, sheet patch
   /// @param path  0: triangles, 1: patches   @param program  0: solid, 1: sheet
   const gl::Program& programOf(DrawKind kind, unsigned path, unsigned program) const;
+  void bindForSlices(SceneBuffers& scene, const SliceList& list, const visibility::ObjectBuffers& decided) const;
+  void bindObjects(const visibility::ObjectBuffers& decided) const;
+  void useForSlices(unsigned path, unsigned surface) const;
+  void submitSlice(unsigned path, unsigned surface, const SliceList& list, const SlicePlaces& places) const;
+  static void endSlices() { glDisable(GL_CULL_FACE); }
   void submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const;
 
   bool indirectCount_;

@@ -7,7 +7,8 @@ void FrameDrawing::draw(const FrameOptions& options, CullMethod& method) {
   const bool frozen = frame_.cullView.clipFromWorld != frame_.drawView.clipFromWorld;
   const bool showsCover = rowOf(options.view).replacesFrame && rowOf(options.cullMode).testsOcclusion;
   glEnable(GL_FRAMEBUFFER_SRGB);
-  if (frame_.counting) countPixels();
+  const bool slices = rowOf(options.cullMode).asksQueries;
+  if (frame_.counting) countPixels(slices);
   if (showsCover) {
     const gl::PassTimer::Scope pass(frame_.timer, "view");
     frame_.draw.setView(frame_.drawView);
@@ -16,28 +17,28 @@ void FrameDrawing::draw(const FrameOptions& options, CullMethod& method) {
   } else if (!frame_.counting || frozen) {
     const gl::PassTimer::Scope pass(frame_.timer, twoPhases() ? "late draw" : "draw");
     frame_.draw.setView(frame_.drawView);
-    drawObjects(frame_.targets.frame, twoPhases() && !frozen);
+    drawObjects(frame_.targets.frame, twoPhases() && !frozen, slices && !frozen);
   }
   drawView(options, frozen);
   glDisable(GL_FRAMEBUFFER_SRGB);
 }
 
 /// Pixels count as the culling camera sees them.
-void FrameDrawing::countPixels() const {
+void FrameDrawing::countPixels(bool opaqueIsThere) const {
   {
     const gl::PassTimer::Scope pass(frame_.timer, twoPhases() ? "late draw" : "draw");
     frame_.setCullingCamera();
-    drawObjects(frame_.targets.counted, twoPhases());
+    drawObjects(frame_.targets.counted, twoPhases(), opaqueIsThere);
   }
   const gl::PassTimer::Scope pass(frame_.timer, "count pixels");
   frame_.visibility.countPixels(frame_.targets.id);
 }
 
-void FrameDrawing::drawObjects(const gl::Framebuffer& target, bool earlyIsThere) const {
-  earlyIsThere ? frame_.targets.bind(target) : frame_.targets.begin(target);
+void FrameDrawing::drawObjects(const gl::Framebuffer& target, bool earlyIsThere, bool lateIsThere) const {
+  earlyIsThere || lateIsThere ? frame_.targets.bind(target) : frame_.targets.begin(target);
   glEnable(GL_DEPTH_TEST);
   if (twoPhases() && !earlyIsThere) frame_.drawList(DrawKind::kShaded, DrawPart::kOpaque, frame_.early);
-  frame_.drawList(DrawKind::kShaded, DrawPart::kOpaque, frame_.late);
+  if (!lateIsThere) frame_.drawList(DrawKind::kShaded, DrawPart::kOpaque, frame_.late);
   if (twoPhases()) frame_.drawList(DrawKind::kShaded, DrawPart::kBlended, frame_.early);
   frame_.drawList(DrawKind::kShaded, DrawPart::kBlended, frame_.late);
   frame_.draw.drawLoose(frame_.scene);

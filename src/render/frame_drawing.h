@@ -26,8 +26,9 @@ class FrameDrawing {
 
  private:
   bool twoPhases() const { return has(frame_.cullView.traits, gpu::kTraitTwoPhases); }
-  void countPixels() const;
-  void drawObjects(const gl::Framebuffer& target, bool earlyIsThere) const;
+  void countPixels(bool opaqueIsThere) const;
+  /// @param earlyIsThere  what the first phase drew @param lateIsThere  opaque surfaces of the late list
+  void drawObjects(const gl::Framebuffer& target, bool earlyIsThere, bool lateIsThere) const;
   void drawView(const FrameOptions& options, bool frozen);
   DrawnFrame drawnFrame() const;
 

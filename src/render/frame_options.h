@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/memory_limit.h"
+#include "culling/query_options.h"
 #include "policy/frame_policy.h"
 #include "shared/limits.h"
 #include "visibility/submission.h"
@@ -48,7 +49,8 @@ struct FrameOptions : FramePolicy {
   bool cullCells = true;       ///< in scenes with cells: cull them one by one; false: as their objects
   /// Time of the scene's animations (SceneData::motion), seconds.
   float seconds = 0.0F;
-  bool skipDraw = false;  ///< leave out what only the picture needs: statistics without a picture
+  culling::QueryOptions queries;  ///< of the modes that ask queries
+  bool skipDraw = false;          ///< leave out what only the picture needs: statistics without a picture
 };
 
 /// What a renderer allocates and which paths it takes.

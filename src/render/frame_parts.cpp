@@ -52,9 +52,9 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
       draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
-      methods({scene, capabilities, shaders}),
-      context{cullView, drawView, counting, timer, buffers, visibility, budget,
-              lists,    early,    late,     draw,  targets, map,        pyramid},
+      methods({scene, capabilities, shaders, memory}),
+      context{cullView, drawView, counting, timer,   buffers, visibility, budget,       lists,
+              early,    late,     draw,     targets, map,     pyramid,    queryOptions, queryFigures},
       drawing(context, scene, shaders) {
   methods.resize(width, height);
   if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);
@@ -70,6 +70,8 @@ void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cull
                             .tessellationLimit = tessellationLimit,
                             .sceneWorld = scene.boundsWorld};
   cullMode = options.cullMode;
+  queryOptions = options.queries;
+  queryFigures = {};
   cullView = makeCullView(options, cullCamera, setting);
   drawView = makeDrawView(options, drawCamera, setting, cullView);
   counting = countsNow(options);
@@ -89,6 +91,8 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const bool drawsEarly = has(view.traits, gpu::kTraitTwoPhases);
   FrameStatistics result = makeStatistics(record->counters, view, finestTriangles);
   result.frame = record->frame;
+  const QueryRecord& queries = queryRecords[record->frame % queryRecords.size()];
+  if (queries.frame == record->frame) static_cast<culling::QueryFigures&>(result) = queries.figures;
   const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)
     result.draws += record->late[list] + (drawsEarly ? record->early[list] : 0);

@@ -1,6 +1,8 @@
 // What a FrameRenderer consists of.
 #pragma once
 
+#include <array>
+
 #include "gl/capabilities.h"
 #include "gl/pass_timer.h"
 #include "render/frame_drawing.h"
@@ -12,6 +14,12 @@
 #include "visibility/statistics_pass.h"
 
 namespace jalousie::render {
+
+/// What queries took in a frame that the statistics may still ask for.
+struct QueryRecord {
+  std::uint64_t frame = 0;
+  culling::QueryFigures figures;
+};
 
 /// Members refer to each other through the context, so the parts stay where they were made.
 struct FrameParts {
@@ -40,8 +48,12 @@ struct FrameParts {
   gpu::CullView cullView{};
   gpu::DrawView drawView{};
   CullMode cullMode = CullMode::kFull;      ///< of the last frame
+  culling::QueryOptions queryOptions;       ///< of the last frame
+  culling::QueryFigures queryFigures;       ///< of the last frame
   bool counting = false;                    ///< this frame's visible pixels are counted
   std::uint32_t countAge = kCountInterval;  ///< frames since they last were
+  std::uint64_t frameNumber = 0;            ///< counted as visibility::FrameRecord::frame
+  std::array<QueryRecord, 4> queryRecords;  ///< by frame
   MethodTable methods;
   FrameContext context;
   FrameDrawing drawing;

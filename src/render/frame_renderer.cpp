@@ -16,9 +16,14 @@ FrameRenderer::~FrameRenderer() = default;
 FrameRenderer::FrameRenderer(FrameRenderer&&) noexcept = default;
 FrameRenderer& FrameRenderer::operator=(FrameRenderer&&) noexcept = default;
 
+void FrameRenderer::prepare(const FrameOptions& options) {
+  parts_->methods[options.cullMode].allocate();
+}
+
 void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cullCamera,
                            const scene::Camera& drawCamera) noexcept {
   FrameParts& parts = *parts_;
+  prepare(options);
   CullMethod& method = parts.methods[options.cullMode];
   parts.timer.beginFrame();
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -41,6 +46,8 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   if (!options.skipDraw || parts.counting) parts.drawing.draw(options, method);
   const gl::PassTimer::Scope pass(parts.timer, "count");
   if (parts.cullView.triangleBudget > 0) parts.budget.movePrice(parts.visibility.decided(), parts.late);
+  ++parts.frameNumber;
+  parts.queryRecords[parts.frameNumber % parts.queryRecords.size()] = {parts.frameNumber, parts.queryFigures};
   parts.statistics.endFrame(parts.buffers.bindings(), parts.visibility.decided(), parts.cullView,
                             rowOf(options.cullMode).testsOcclusion ? &parts.early : nullptr, parts.late);
 }
@@ -72,10 +79,12 @@ void FrameRenderer::setTransforms(std::uint32_t first, std::span<const gpu::Tran
   JAL_CHECK(first <= parts_->buffers.transformCount());
   JAL_CHECK(transforms.size() <= parts_->buffers.transformCount() - first);
   if (parts_->motion) parts_->motion->forget();
+  parts_->buffers.noteMovement();
   parts_->buffers.transforms().write(sizeof(gpu::Transform) * first, std::as_bytes(transforms));
 }
 
 gl::Buffer& FrameRenderer::transforms() {
+  parts_->buffers.shareTransforms();
   return parts_->buffers.transforms();
 }
 

@@ -42,8 +42,8 @@ struct ObjectReadout {
 };
 
 /// Renders frames of one scene at one size: classify, let the mode's method decide, build the draw list, draw, count.
-/// The frame path reads nothing back and allocates nothing, except on the first frame of a debug view that needs memory
-/// of its own.
+/// The frame path reads nothing back and allocates nothing, except on the first frame of a debug view or mode that needs
+/// memory of its own, and where the row of the mode says that it reads back (CullModeRow::readsBack).
 class FrameRenderer {
  public:
   /// Keeps a reference to scene, which must outlive the renderer.
@@ -54,6 +54,10 @@ class FrameRenderer {
   ~FrameRenderer();
   FrameRenderer(FrameRenderer&&) noexcept;
   FrameRenderer& operator=(FrameRenderer&&) noexcept;
+
+  /// Makes what the mode of these options needs of its own: for modes with occlusion queries a spatial hierarchy and
+  /// buffers in its order. render() does the same on the first frame of a mode, but must not fail. Errors: kLimit.
+  void prepare(const FrameOptions& options);
 
   /// Culls and chooses detail from cullCamera, draws from drawCamera (usually the same).
   void render(const FrameOptions& options, const scene::Camera& cullCamera, const scene::Camera& drawCamera) noexcept;

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "culling/query_device.h"
+
 namespace jalousie::render {
 
-/// Figures of one frame, counted on the GPU.
-struct FrameStatistics {
+/// Figures of one frame, counted on the GPU; those of queries by the mode that asks them, else 0.
+struct FrameStatistics : culling::QueryFigures {
   std::uint64_t frame = 0;  ///< which frame of its renderer, counted from 1
   std::uint64_t objects = 0;
   std::uint64_t culledFrustum = 0;

@@ -64,6 +64,7 @@ void MotionPass::play(float seconds, SceneBuffers& scene) {
   if (view_.targetCount == 0 && view_.vertexCount == 0) return;
   if (played_ == seconds) return;
   played_ = seconds;
+  scene.noteMovement();
   view_.seconds = seconds;
   viewBuffer_.writeValue(view_);
   viewBuffer_.bindUniform(gpu::kBindingMotionView);

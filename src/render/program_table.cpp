@@ -61,6 +61,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"move targets", {"motion/move_targets.comp"}, {}},
       {"bend vertices", {"motion/bend_vertices.comp"}, {}},
       {"bound poses", {"motion/bound_poses.comp"}, {}},
+      {"query box", {"render/query_box.vert", "render/query_box.frag"}, {}},
   };
   return kPrograms;
 }

@@ -34,6 +34,7 @@ enum class ProgramId : unsigned {
   kMoveTargets,
   kBendVertices,
   kBoundPoses,
+  kQueryBox,
 };
 
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.

@@ -27,6 +27,12 @@ class SceneBuffers {
   visibility::SceneBindings bindings() const;
   /// gpu::Transform [transformCount]: the application may write it, from the CPU or from a shader, between frames.
   gl::Buffer& transforms() { return transforms_; }
+  const gl::Buffer& transforms() const { return transforms_; }
+  /// Grows with every change of transforms and boxes that the renderer knows of; of one that anybody may write at any
+  /// time, with every call.
+  std::uint64_t movement() { return sharesTransforms_ ? ++movement_ : movement_; }
+  void noteMovement() { ++movement_; }
+  void shareTransforms() { sharesTransforms_ = true; }
   /// Buffers that animations write besides the transforms.
   const gl::Buffer& vertices() const { return vertices_; }
   const gl::Buffer& looseVertices() const { return looseVertices_; }
@@ -48,6 +54,8 @@ class SceneBuffers {
   std::uint32_t transformCount_;
   std::uint32_t cellCount_;
   bool usesBlending_;
+  std::uint64_t movement_ = 0;
+  bool sharesTransforms_ = false;  ///< the application may write them at any time
   gl::Buffer vertices_;
   gl::Buffer secondUvs_;
   gl::Buffer indices_;

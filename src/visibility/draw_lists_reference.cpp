@@ -132,4 +132,31 @@ DrawLists buildDrawLists(const scene::DrawTables& scene, const gpu::CullView& vi
   return lists;
 }
 
+SliceLists buildSlices(const scene::DrawTables& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+                       std::span<const gpu::uint> order, gpu::uint listCount) {
+  const List list{scene, view, gpu::kMarkLate, has(view.traits, gpu::kTraitPatches)};
+  const std::size_t capacity = 2 * order.size();
+  SliceLists slices{std::vector<gpu::uint>(capacity), std::vector<gpu::DrawCommand>(listCount * capacity)};
+  const auto write = [&](std::size_t place, const gpu::Chain& chain, gpu::uint bin, gpu::uint instance) {
+    const Ranges ranges = rangesOf(scene, chain, bin, list.patches);
+    slices.instances[place] = instance;
+    for (gpu::uint k = 0; k < gpu::kListsPerDetail; ++k) {
+      slices.commands[(ranges.firstList + k) * capacity + place] = {ranges.count[k], ranges.count[k] > 0 ? 1U : 0U,
+                                                                    ranges.firstIndex[k], ranges.baseVertex,
+                                                                    static_cast<gpu::uint>(place)};
+    }
+  };
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const ObjectDecision object = objects[order[place]];
+    if ((object.marks & gpu::kMarkLate) == 0) continue;
+    const gpu::Chain& chain = scene.chains[scene.objects[order[place]].chain];
+    const bool fades = isFading(list, object.marks);
+    write(place, chain, binOf(list, object), fades ? order[place] | gpu::kInstanceFadingIn : order[place]);
+    if (!fades) continue;
+    write(place + order.size(), chain, 2 * fadingLod(object.state.lod, object.marks) + 1,
+          order[place] | gpu::kInstanceFadingOut);
+  }
+  return slices;
+}
+
 }  // namespace jalousie::visibility

@@ -43,4 +43,15 @@ struct DrawLists {
 DrawLists buildDrawLists(const scene::DrawTables& scene, const gpu::CullView& view, const ObjectDecisions& objects,
                          gpu::uint phase, const DrawListOptions& options);
 
+/// What a frame drawn in slices draws: commands at fixed places. Twin of slice_commands.comp.
+struct SliceLists {
+  std::vector<gpu::uint> instances;        ///< [2 * places]; 0 where the command is empty
+  std::vector<gpu::DrawCommand> commands;  ///< [lists][2 * places], the second half for the levels that fade out
+};
+
+/// @param order  [places] object, or cell, of each place   @param listCount  with patches kListCount, else
+/// kListsPerDetail   @param objects  of the objects, or of the cells; drawn where marked kMarkLate
+SliceLists buildSlices(const scene::DrawTables& scene, const gpu::CullView& view, const ObjectDecisions& objects,
+                       std::span<const gpu::uint> order, gpu::uint listCount);
+
 }  // namespace jalousie::visibility

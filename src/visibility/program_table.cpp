@@ -40,6 +40,10 @@ std::span<const gl::ProgramSource> programTable() {
       {"budget, plan", {"visibility/budget_plan.comp"}, {}},
       {"budget, forecast", {"visibility/budget_forecast.comp"}, {}},
       {"budget, limit", {"visibility/budget_limit.comp"}, {}},
+      {"slice commands", {"visibility/slice_commands.comp"}, {}},
+      {"drop hidden", {"visibility/drop_hidden.comp"}, {}},
+      {"hide objects", {"visibility/hide_objects.comp"}, {}},
+      {"hide cells", {"visibility/hide_cells.comp"}, {}},
   };
   return kPrograms;
 }

@@ -43,6 +43,10 @@ enum class ProgramId : unsigned {
   kBudgetPlan,
   kBudgetForecast,
   kBudgetLimit,
+  kSliceCommands,
+  kDropHidden,
+  kHideObjects,
+  kHideCells,
 };
 
 /// All programs, in the order of ProgramId.

@@ -36,6 +36,9 @@ TEST(Policy, ModesThatCompareWithSomethingTestOcclusion) {
     EXPECT_TRUE(!row.twoPhases || row.needsHistory) << row.name;
     EXPECT_TRUE(!row.testsOcclusion || row.culls) << row.name;
     EXPECT_TRUE(row.usesMap || row.occluderTau == 0.0F) << row.name;
+    EXPECT_TRUE(row.asksQueries || !(row.readsBack || row.countsSamples || row.batchesQueries)) << row.name;
+    EXPECT_TRUE(row.batchesQueries || !row.joinsQueries) << row.name;
+    EXPECT_FALSE(row.asksQueries && row.testsOcclusion) << row.name;
   }
 }
 

@@ -13,6 +13,7 @@
 #include "render/program_table.h"
 #include "shared/frame_structs.h"
 #include "shared/motion_structs.h"
+#include "shared/query_structs.h"
 #include "shared/scene_structs.h"
 #include "support/gl_test.h"
 #include "visibility/program_table.h"
@@ -116,6 +117,20 @@ const std::map<std::string, Layout>& expectedLayouts() {
       {"BudgetBlock", {sizeof(gpu::uint), {{"budget[0]", 0}}}},
       {"DrawnBlock", {sizeof(gpu::uint), {{"drawn[0]", 0}}}},
       {"CosineBlock", {sizeof(float), {{"cosines[0]", 0}}}},
+      {"OrderBlock", {sizeof(gpu::uint), {{"order[0]", 0}}}},
+      {"DrawnBitBlock", {sizeof(gpu::uint), {{"drawnBits[0]", 0}}}},
+      {"LeafBlock", {sizeof(gpu::uint), {{"leafOf[0]", 0}}}},
+      {"SampleBlock", {sizeof(gpu::uint), {{"samples[0]", 0}}}},
+      {"RangeBlock",
+       {sizeof(gpu::SliceRange),
+        {JAL_FIELD("ranges[0].", SliceRange, firstUnit), JAL_FIELD("ranges[0].", SliceRange, unitCount),
+         JAL_FIELD("ranges[0].", SliceRange, node), JAL_FIELD("ranges[0].", SliceRange, reserved0)}}},
+      {"SliceViewBlock",
+       {sizeof(gpu::SliceView),
+        {JAL_FIELD("SliceViewBlock.", SliceView, objectCount), JAL_FIELD("SliceViewBlock.", SliceView, unitCount),
+         JAL_FIELD("SliceViewBlock.", SliceView, commandCapacity), JAL_FIELD("SliceViewBlock.", SliceView, listCount),
+         JAL_FIELD("SliceViewBlock.", SliceView, threshold), JAL_FIELD("SliceViewBlock.", SliceView, reserved0),
+         JAL_FIELD("SliceViewBlock.", SliceView, reserved1), JAL_FIELD("SliceViewBlock.", SliceView, reserved2)}}},
       {"CullViewBlock",
        {0,
         {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld),

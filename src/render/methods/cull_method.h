@@ -17,6 +17,8 @@ class CullMethod {
   CullMethod(const CullMethod&) = delete;
   CullMethod& operator=(const CullMethod&) = delete;
 
+  /// Makes what only this mode needs, before its first frame; nothing after the first time. Errors: kLimit.
+  virtual void allocate() {}
   /// Another screen size, pixels; for methods with memory of that size. Called once before the first frame.
   virtual void resize(std::uint32_t /*width*/, std::uint32_t /*height*/) {}
   /// Forgets what it keeps of past frames.

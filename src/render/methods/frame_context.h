@@ -1,6 +1,8 @@
 // What a culling method works with while it decides one frame.
 #pragma once
 
+#include "culling/query_device.h"
+#include "culling/query_options.h"
 #include "gl/pass_timer.h"
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
@@ -28,8 +30,10 @@ struct FrameContext {
   visibility::DrawList& late;   ///< objects flagged kMarkLate
   DrawPass& draw;
   const Targets& targets;
-  visibility::OcclusionMapPass& map;      ///< shared by the methods that use a map
-  visibility::DepthPyramidPass& pyramid;  ///< shared by the methods that use depth
+  visibility::OcclusionMapPass& map;          ///< shared by the methods that use a map
+  visibility::DepthPyramidPass& pyramid;      ///< shared by the methods that use depth
+  const culling::QueryOptions& queryOptions;  ///< of the present frame
+  culling::QueryFigures& queryFigures;        ///< the method of the present frame writes them
 
   /// Fills a list with the objects that the flags put on it.
   void buildList(visibility::DrawList& list, const char* pass) const;

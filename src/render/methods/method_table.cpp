@@ -7,12 +7,19 @@
 #include "render/methods/hiz/hiz_method.h"
 #include "render/methods/hom/hom_method.h"
 #include "render/methods/hom_depth/hom_depth_method.h"
+#include "render/methods/queries/query_method.h"
 
 namespace jalousie::render {
 namespace {
 
-/// @param inputs  for methods that need more than a FrameContext
-std::unique_ptr<CullMethod> makeMethod(CullMode mode, [[maybe_unused]] const MethodInputs& inputs) {
+/// What several methods share.
+struct SharedParts {
+  std::shared_ptr<QueryScene> boxes;  ///< the scene over a bounding volume hierarchy
+  std::shared_ptr<QueryScene> grid;   ///< and over a loose grid
+};
+
+std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared) {
+  const auto query = [&](culling::QueryMethod method) { return std::make_unique<QueryMethod>(shared.boxes, method); };
   switch (mode) {
     case CullMode::kFull:
       return std::make_unique<FullMethod>();
@@ -24,6 +31,22 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, [[maybe_unused]] const Met
       return std::make_unique<HomDepthMethod>();
     case CullMode::kHiz:
       return std::make_unique<HizMethod>();
+    case CullMode::kQueryWait:
+      return query(culling::QueryMethod::kWait);
+    case CullMode::kQueryBatch:
+      return query(culling::QueryMethod::kBatch);
+    case CullMode::kChcFlat:
+      return query(culling::QueryMethod::kCoherentFlat);
+    case CullMode::kChc:
+      return query(culling::QueryMethod::kCoherent);
+    case CullMode::kChcPlusPlus:
+      return query(culling::QueryMethod::kCoherentPlus);
+    case CullMode::kEyeSiding:
+      return std::make_unique<QueryMethod>(shared.grid, culling::QueryMethod::kSiblings);
+    case CullMode::kQueryConditional:
+      return query(culling::QueryMethod::kDeferred);
+    case CullMode::kQueryBuffer:
+      return std::make_unique<QueryMethod>(shared.boxes, culling::QueryMethod::kDeferred, DeferredDrawing::kBuffer);
   }
   return nullptr;
 }
@@ -31,8 +54,10 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, [[maybe_unused]] const Met
 }  // namespace
 
 MethodTable::MethodTable(const MethodInputs& inputs) {
+  const SharedParts shared{std::make_shared<QueryScene>(inputs, QueryTree::kBoxes),
+                           std::make_shared<QueryScene>(inputs, QueryTree::kGrid)};
   for (const CullModeRow& row : cullModeTable()) {
-    std::unique_ptr<CullMethod> method = makeMethod(row.id, inputs);
+    std::unique_ptr<CullMethod> method = makeMethod(row.id, shared);
     const bool known = method != nullptr;
     JAL_CHECK(known);
     methods_.push_back(std::move(method));

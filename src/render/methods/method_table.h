@@ -4,20 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "gl/capabilities.h"
-#include "gl/shader_source.h"
 #include "policy/cull_mode.h"
 #include "render/methods/cull_method.h"
-#include "scene/scene_data.h"
+#include "render/methods/method_inputs.h"
 
 namespace jalousie::render {
-
-/// What a method may be made of. Borrows everything; only scene may be kept.
-struct MethodInputs {
-  const scene::SceneData& scene;
-  const gl::Capabilities& capabilities;
-  const gl::ShaderLibrary& shaders;
-};
 
 /// The methods of one renderer, one per row of cullModeTable().
 class MethodTable {

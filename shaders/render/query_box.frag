@@ -1,0 +1,4 @@
+// Nothing is written; samples are counted.
+#version 450 core
+
+void main() {}

@@ -1,0 +1,91 @@
+// Bounds come from the arrays of the scene, and from the GPU once something has moved.
+#include "render/query_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/memory_estimate.h"
+#include "scene/scene_memory.h"
+
+namespace jalousie::render {
+namespace {
+
+/// Objects of a leaf: one query decides about so many.
+constexpr std::uint32_t kLeafObjects = 4;
+
+/// Most nodes of a hierarchy: leaves have an object at least.
+std::uint32_t mostNodes(const scene::SceneData& scene) {
+  return static_cast<std::uint32_t>(2 * scene.objects.size() + 1);
+}
+
+MemoryEstimate needsOf(const scene::SceneData& scene) {
+  const std::uint64_t lists = scene.maxPatchTriangles > 0 ? gpu::kListCount : gpu::kListsPerDetail;
+  const std::uint64_t units = scene.drawn().objects.size();
+  MemoryEstimate needs;
+  needs.add(units, 2 * (lists * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)) + 2 * sizeof(gpu::uint),
+            scene::counted(units, "slices"));
+  constexpr std::uint64_t kNode = sizeof(culling::HierarchyNode) + 2 * sizeof(Aabb) + 64;  // with its history
+  needs.add(scene.objects.size(), 2 * kNode + 2 * sizeof(Aabb) + 8 * sizeof(gpu::uint),
+            scene::counted(scene.objects.size(), "objects of the hierarchy"));
+  return needs;
+}
+
+}  // namespace
+
+QueryScene::QueryScene(const MethodInputs& inputs, QueryTree kind)
+    : scene_(inputs.scene), kind_(kind), memory_(inputs.memory), slices_(inputs.shaders), queries_(inputs.shaders) {}
+
+void QueryScene::allocate() {
+  if (allocated_) return;
+  needsOf(scene_).require(memory_);
+  boundsWorld_.resize(scene_.objects.size());
+  for (std::uint32_t object = 0; object < scene_.objects.size(); ++object)
+    boundsWorld_[object] = culling::worldBounds(scene_, object);
+  slices_.allocate(scene_, mostNodes(scene_));
+  queries_.allocate(mostNodes(scene_));
+  if (kind_ == QueryTree::kBoxes) {
+    boxes_.emplace(boundsWorld_, culling::HierarchyOptions{kLeafObjects});
+  } else {
+    grid_ = culling::buildGrid(boundsWorld_);
+  }
+  setTree();
+  allocated_ = true;
+}
+
+const culling::SpatialHierarchy& QueryScene::tree() const {
+  return boxes_ ? boxes_->tree() : grid_->tree;
+}
+
+void QueryScene::setTree() {
+  order_ = makeSliceOrder(scene_, tree());
+  slices_.setOrder(order_);
+  queries_.setBoxes(tree());
+  ++version_;
+}
+
+void QueryScene::readBounds(SceneBuffers& buffers) {
+  const std::vector<gpu::Transform> transforms =
+      std::as_const(buffers).transforms().read<gpu::Transform>(buffers.transformCount());
+  const std::vector<gpu::Chain> chains = buffers.chains().read<gpu::Chain>(scene_.chains.size());
+  for (std::size_t i = 0; i < boundsWorld_.size(); ++i) {
+    const gpu::Object& object = scene_.objects[i];
+    boundsWorld_[i] = culling::worldBounds(chains[object.chain], transforms[object.transform]);
+  }
+}
+
+void QueryScene::follow(SceneBuffers& buffers) {
+  const std::uint64_t movement = buffers.movement();
+  if (movement == movement_ || boundsWorld_.empty()) return;
+  movement_ = movement;
+  readBounds(buffers);
+  if (grid_) {
+    *grid_ = culling::buildGrid(boundsWorld_);
+    setTree();
+  } else if (boxes_->follow(boundsWorld_)) {
+    setTree();
+  } else {
+    queries_.setBoxes(tree());
+  }
+}
+
+}  // namespace jalousie::render

@@ -1,0 +1,78 @@
+// A frame drawn in slices: commands at fixed places in the order of a spatial hierarchy, and the marks of what was left
+// out (docs/occlusion_queries.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "culling/hierarchy.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "render/draw_pass.h"
+#include "scene/scene_data.h"
+#include "shared/query_structs.h"
+#include "visibility/pass_bindings.h"
+
+namespace jalousie::render {
+
+/// Places of objects, and of what is drawn of them, in the order of a hierarchy.
+struct SliceOrder {
+  std::vector<gpu::uint> objects;        ///< [objects] by place
+  std::vector<gpu::uint> units;          ///< [cells, or objects where there are none] by place
+  std::vector<std::uint32_t> firstUnit;  ///< [objects + 1] place of an object's first unit
+  std::vector<gpu::uint> leafOf;         ///< [objects] by place: leaf of the hierarchy
+
+  /// The units of a range of objects.
+  SlicePlaces unitsOf(std::uint32_t firstObject, std::uint32_t count) const {
+    return {firstUnit[firstObject], firstUnit[firstObject + count] - firstUnit[firstObject]};
+  }
+};
+SliceOrder makeSliceOrder(const scene::SceneData& scene, const culling::SpatialHierarchy& tree);
+
+/// The kernels, and their buffers once they are allocated. CPU twins: visibility::buildSlices, hideObjects.
+class SlicePass {
+ public:
+  /// Errors: kShader.
+  explicit SlicePass(const gl::ShaderLibrary& shaders);
+
+  /// Everything for one scene. @param nodes  most nodes of a hierarchy   Errors: kLimit.
+  void allocate(const scene::SceneData& scene, std::uint32_t nodes);
+  void setOrder(const SliceOrder& order);
+
+  /// Writes the commands of a frame that was classified. @param threshold  SliceView::threshold
+  void begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided, std::uint32_t threshold);
+  /// What begin() wrote. @param fading  levels may fade out
+  SliceList list(bool fading) const { return {&instances_, &commands_, view_.commandCapacity, patches_, fading}; }
+  /// gpu::uint [nodes]: samples of the nodes whose answers the CPU does not see.
+  const gl::Buffer& samples() const { return samples_; }
+  void forgetSamples() { samplesKnown_ = true; }
+  /// Empties the commands of ranges whose samples are too few. Writes the ranges to the GPU. @pre at most kMostRanges
+  void dropHidden(std::span<const gpu::SliceRange> ranges);
+  /// Corrects marks and verdicts. @param drawn  [(objects + 31) / 32] bits by place
+  void hide(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
+            std::span<const std::uint32_t> drawn);
+
+  static constexpr std::uint32_t kMostRanges = 8192;
+
+ private:
+  gl::Program sliceCommands_;
+  gl::Program dropHidden_;
+  gl::Program hideObjects_;
+  gl::Program hideCells_;
+  gpu::SliceView view_{};
+  std::uint32_t cellCount_ = 0;
+  bool patches_ = false;
+  bool samplesKnown_ = false;  ///< the last frame wrote samples: they are cleared in the next
+  gl::Buffer viewBuffer_;
+  gl::Buffer objectOrder_;
+  gl::Buffer unitOrder_;
+  gl::Buffer leafOf_;
+  gl::Buffer commands_;
+  gl::Buffer instances_;
+  gl::Buffer samples_;
+  gl::Buffer ranges_;
+  gl::Buffer drawnBits_;
+};
+
+}  // namespace jalousie::render
