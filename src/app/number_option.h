@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "app/option_checks.h"
+#include "cli/option_checks.h"
 
 namespace jalousie::app {
 
@@ -21,7 +21,7 @@ struct NumberRange {
 /// Checks an option's number and shows range and default in --help. @param standard  the default
 template <class Number>
 CLI::Option* limit(CLI::Option* option, NumberRange range, Number standard) {
-  return option->check(inRange(range.least, range.most).description(""))
+  return option->check(cli::inRange(range.least, range.most).description(""))
       ->type_name(range.text())
       ->default_str(fmt::format("{:g}", static_cast<double>(standard)));
 }

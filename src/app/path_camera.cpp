@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/option_checks.h"
+#include "cli/option_checks.h"
 #include "core/error.h"
 
 namespace jalousie::app {
@@ -20,7 +20,7 @@ void addTimeOption(CLI::App& command, std::optional<double>& seconds) {
       .add_option("--time", seconds,
                   "Show nodes, skins and morph targets at this time of their animations, whatever the frame; a path is "
                   "then as long as its camera; seconds [they follow the frame; without one, the pose without them]")
-      ->check(inRange(0.0, 1e6).description(""))
+      ->check(cli::inRange(0.0, 1e6).description(""))
       ->type_name("SECONDS");
 }
 

@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/option_checks.h"
 #include "app/option_values.h"
 #include "app/path_camera.h"
 #include "app/render_option_table.h"
 #include "cli/force_option.h"
 #include "cli/memory_option.h"
+#include "cli/option_checks.h"
 #include "core/error.h"
 #include "policy/table.h"
 #include "scene/camera.h"
@@ -25,7 +25,7 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--repeat", options.repeat,
                   "Render N times after one warm-up frame and report median times; with 1 there is no warm-up")
-      ->check(inRange(1, 10000).description(""))
+      ->check(cli::inRange(1, 10000).description(""))
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--stats-only", options.statsOnly, "Run the culling passes only and draw no picture");
@@ -77,7 +77,7 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("PATH.glb");
   addCameraOption(command, options.camera);
   addTimeOption(command, options.time);
-  const CLI::Validator notNegative = inRange(0.0, 1e9).description("");
+  const CLI::Validator notNegative = cli::inRange(0.0, 1e9).description("");
   command
       .add_option("--frame", options.frame,
                   "Render this frame of the camera path and of the scene's animations (30 frames per second)")

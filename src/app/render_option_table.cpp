@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <string_view>
 
-#include "app/option_checks.h"
+#include "cli/option_checks.h"
 #include "core/check.h"
 #include "core/overloaded.h"
 #include "policy/table.h"
@@ -451,7 +451,7 @@ void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptio
   const auto number = [](CLI::Option* of, auto least, auto most, const char* endless) {
     const auto from = static_cast<double>(least);
     const auto to = static_cast<double>(most);
-    return of->check(inRange(from, to).description(""))
+    return of->check(cli::inRange(from, to).description(""))
         ->type_name(to < kEndless ? fmt::format("{:g}..{:g}", from, to) : std::string(endless));
   };
   CLI::Option* added = std::visit(

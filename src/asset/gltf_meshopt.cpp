@@ -71,21 +71,24 @@ void checkStride(const Compressed& source, std::size_t view, const Path& file) {
 }
 
 /// Version 1 of the vertex codec and the filter of colours belong to KHR_meshopt_compression only.
-void requireKnownCodec(const Compressed& source, std::size_t view, const Path& file) {
+bool isKnownCodec(const Compressed& source) {
   constexpr unsigned kVertexHeader = 0xa0;
   const bool isNewer = source.mode == "ATTRIBUTES" && source.size > 0 && (source.data[0] & 0xf0U) == kVertexHeader &&
                        (source.data[0] & 0x0fU) > 0;
-  if (isNewer || source.filter == "COLOR") {
-    throw Error(ErrorCode::kUnsupported,
-                fmt::format("buffer view {}: KHR_meshopt_compression with a codec or filter that the installed "
-                            "meshoptimizer does not have",
-                            view),
-                file);
-  }
+  return !isNewer && source.filter != "COLOR";
 }
 
-Compressed readExtension(const json& extension, const json& bufferView, std::size_t view,
-                         const std::vector<Bytes>& buffers, const Path& file) {
+/// Whether a view has its bytes without the extension, too.
+bool hasPlainBytes(const json& bufferView, const std::vector<Bytes>& buffers, const Path& file) {
+  const std::uint64_t buffer = unsignedMember(bufferView, "buffer", ~0ULL, file);
+  const std::uint64_t offset = unsignedMember(bufferView, "byteOffset", 0, file);
+  const std::uint64_t length = unsignedMember(bufferView, "byteLength", ~0ULL, file);
+  return buffer < buffers.size() && offset <= buffers[buffer].size() && length <= buffers[buffer].size() - offset;
+}
+
+/// Absent if the installed library does not know the codec or filter.
+std::optional<Compressed> readExtension(const json& extension, const json& bufferView, std::size_t view,
+                                        const std::vector<Bytes>& buffers, const Path& file) {
   if (!extension.is_object()) malformed(view, "not an object", file);
   const std::uint64_t none = ~0ULL;
   const std::uint64_t buffer = unsignedMember(extension, "buffer", none, file);
@@ -106,7 +109,7 @@ Compressed readExtension(const json& extension, const json& bufferView, std::siz
                     static_cast<std::size_t>(count),
                     stringMember(extension, "mode", "", view, file),
                     stringMember(extension, "filter", "NONE", view, file)};
-  requireKnownCodec(source, view, file);
+  if (!isKnownCodec(source)) return std::nullopt;
   checkStride(source, view, file);
   // Both codecs spend at least two bits on sixteen bytes; more is a demand for memory, not data.
   if (decoded / kMaxMeshoptExpansion > source.size)
@@ -312,7 +315,18 @@ void decodeMeshoptViews(json& document, std::vector<Bytes>& buffers, const Limit
     json& view = (*views)[i];
     const char* name = nameIn(view);
     if (name == nullptr) continue;
-    const Compressed source = readExtension(view["extensions"][name], view, i, buffers, file);
+    const std::optional<Compressed> known = readExtension(view["extensions"][name], view, i, buffers, file);
+    if (!known) {
+      if (!hasPlainBytes(view, buffers, file))
+        throw Error(ErrorCode::kUnsupported,
+                    fmt::format("buffer view {}: KHR_meshopt_compression with a codec or filter that the installed "
+                                "meshoptimizer does not have",
+                                i),
+                    file);
+      view["extensions"].erase(name);
+      continue;
+    }
+    const Compressed& source = *known;
     total += std::uint64_t{source.count} * source.stride;
     if (total > most)
       throw Error(ErrorCode::kLimit, fmt::format("compressed data unfolds to more than {} bytes", most), file);

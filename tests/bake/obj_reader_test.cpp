@@ -205,6 +205,76 @@ TEST(ObjReader, VertexColoursAreSharesOfOneOrOf255) {
   }
 }
 
+TEST(ObjReader, StrayVertexColoursAreClampedAndAbsentOnesWhite) {
+  Notes notes;
+  const PolygonMesh mesh = readObj(bytesOf("v 0 0 0 1.2 0.5 0\nv 1 0 0 -0.1 1 0\nv 0 1 0\nf 1 2 3\n"), "a.obj", notes);
+  ASSERT_EQ(mesh.colors.size(), 3U);
+  EXPECT_NEAR(mesh.colors[0].r, 1.0F, 1e-6F);
+  EXPECT_NEAR(mesh.colors[0].g, 0.2140F, 1e-3F);
+  EXPECT_EQ(mesh.colors[1].r, 0.0F);
+  EXPECT_EQ(mesh.colors[2], glm::vec4(1.0F));
+  EXPECT_EQ(notes.lines(),
+            (std::vector<std::string>{"vertices without a colour become white: 1 of 3",
+                                      "vertex colours outside of 0 to 1 are clamped: 1.2 0.5 0 and 1 more"}));
+}
+
+TEST(ObjReader, IndicesOutOfRangeNameTheLine) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::pair<const char*, const char*> cases[] = {
+      {"f 1 2 3\nf 1 2 9\n", "line 5: a face has an index out of range: vertex 9 of 3"},
+      {"f 1/1 2/2 3/3\n", "line 4: a face has an index out of range: texture coordinate 1 of 0"},
+      {"f 1//1 2//2 3//3\n", "line 4: a face has an index out of range: normal 1 of 0"}};
+  for (const auto& [faces, expected] : cases) {
+    try {
+      read(vertices + faces);
+      ADD_FAILURE() << faces;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(ObjReader, AMaterialWithoutAColourIsWhiteAndStatementsWithoutACounterpartAreNamed) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "a.mtl") << "newmtl plain\nNs 20\nKs 1 1 1\nnewmtl black\nKd 0 0 0\n";
+  Notes notes;
+  const PolygonMesh mesh =
+      readObj(bytesOf("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl black\nf 3 2 1\n"),
+              folder / "a.obj", notes);
+  ASSERT_EQ(mesh.materials.size(), 2U);
+  EXPECT_EQ(mesh.materials[0].baseColor, glm::vec4(1.0F));
+  EXPECT_EQ(mesh.materials[1].baseColor, glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(notes.lines(),
+            (std::vector<std::string>{"MTL statements have no counterpart and are passed over: Ks, Ns"}));
+}
+
+TEST(ObjReader, EqualPicturesAreEmbeddedOnceAndThoseOutsideNamed) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a.png", "b.png"})
+    std::ofstream(folder / name) << "\x89PNG\r\n\x1a\n the same bytes";
+  std::ofstream(folder / "a.mtl") << "newmtl red\nmap_Kd a.png\nnewmtl blue\nmap_Kd b.png\n"
+                                     "newmtl lost\nmap_Kd ../c.png\n";
+  std::ofstream(folder / "a.obj") << "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
+                                     "usemtl blue\nf 2 3 1\nusemtl lost\nf 3 1 2\n";
+  Notes notes;
+  const tinygltf::Model model = importFiles({folder / "a.obj"}, {}, notes);
+  EXPECT_EQ(model.images.size(), 1U);
+  EXPECT_EQ(notes.lines(), (std::vector<std::string>{"a picture lies outside of the input's folder: ../c.png"}));
+}
+
+TEST(ObjReader, ObjectsFarFromTheOriginShareOneOffset) {
+  const std::string text =
+      "v 500000 4600000.5 10\nv 500001 4600000.5 10\nv 500000 4600001.5 10\nv 500001 4600001.7 10\n"
+      "v 500000.001 4600000.5 10\nv 500000 4600000.501 10\n"
+      "o left\nf 1 2 3\no right\nf 3 2 4\no grain\nf 1 5 6\n";
+  const std::vector<SurfaceObject> objects = buildObjects(read(text), NormalRule::kNone);
+  ASSERT_EQ(objects.size(), 3U);
+  EXPECT_NE(objects[0].offset, glm::dvec3(0.0));
+  EXPECT_EQ(objects[0].offset, objects[1].offset);
+  EXPECT_EQ(objects[0].parts[0].mesh.positions[1], objects[1].parts[0].mesh.positions[1]) << "they touch";
+  EXPECT_NE(objects[2].offset, objects[0].offset) << "little would be left of it";
+}
+
 TEST(ObjReader, FarFromTheOriginTheOffsetLeavesTheMeshExact) {
   const std::string text =
       "v 500123.0625 4649786.001 10\nv 500124.0625 4649786.001 10\nv 500123.0625 4649787.003 10\nf 1 2 3\n";

@@ -218,6 +218,15 @@ TEST_F(BakeProgram, BadInputIsOneLineACodeAndNothingWritten) {
     expectRefused({file("ball.ply"), "-o", file(name)}, 2, "ends in .glb");
 }
 
+TEST_F(BakeProgram, NumbersThatAreNoneAreRefused) {
+  for (const char* option : {"--ratio", "--ratios", "--until-error", "--pixels", "--hard-angle", "--weight-uv",
+                             "--weight-normal", "--timeout", "--weld"}) {
+    expectRefused({file("ball.ply"), "-o", file("out.glb"), option, "nan"}, 2, std::string(option) + ": Value nan");
+  }
+  for (const char* distance : {"0", "-1", "inf"})
+    expectRefused({file("ball.ply"), "-o", file("out.glb"), "--weld", distance}, 2, "is no number above 0");
+}
+
 TEST_F(BakeProgram, WhatIsLeftOutIsSaidOnceForEachKind) {
   std::ofstream(file("cup.obj"))
       << "mtllib absent.mtl\nmtllib lost.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl clay\nf 1 2 3\n";

@@ -70,6 +70,12 @@ std::vector<std::uint32_t> usedVertices(std::vector<std::uint32_t>& indices, std
   return used;
 }
 
+/// Matrices cannot be averaged.
+bool isMatrix(const tinygltf::Model& model, int accessor) {
+  const int type = model.accessors[static_cast<std::size_t>(accessor)].type;
+  return type == TINYGLTF_TYPE_MAT2 || type == TINYGLTF_TYPE_MAT3 || type == TINYGLTF_TYPE_MAT4;
+}
+
 std::uint32_t countOf(const tinygltf::Model& model, int accessor, std::uint64_t limit) {
   const std::uint64_t count = model.accessors[static_cast<std::size_t>(accessor)].count;
   if (count > limit) throw Error(ErrorCode::kLimit, fmt::format("an accessor has {} elements", count));
@@ -325,7 +331,7 @@ std::vector<std::uint32_t> optimiseOrder(LocalTriangles& local, std::uint32_t ve
 
 }  // namespace
 
-std::string unbakeableReason(const tinygltf::Mesh& mesh) {
+std::string unbakeableReason(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {
   if (mesh.primitives.empty()) return "it has no primitives";
   if (std::none_of(mesh.primitives.begin(), mesh.primitives.end(), hasTriangles)) return "it has points or lines only";
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
@@ -335,6 +341,8 @@ std::string unbakeableReason(const tinygltf::Mesh& mesh) {
     if (primitive.attributes.contains("JOINTS_0")) return "it is skinned";
     if (primitive.attributes.size() > kMostAttributes)
       return fmt::format("it has a primitive with {} attributes", primitive.attributes.size());
+    for (const auto& [name, accessor] : primitive.attributes)
+      if (isMatrix(model, accessor)) return fmt::format("its attribute {} is a matrix", oneLine(name));
     for (const auto& [name, extension] : primitive.extensions)
       if (asset::mayReferToVertices(name, extension)) return fmt::format("{} may refer to its vertices", oneLine(name));
   }

@@ -18,7 +18,7 @@ bool hasTriangles(const tinygltf::Primitive& primitive);
 
 /// The reason why a mesh is passed through unchanged: no triangles, morph targets, no positions, joints, more than 16
 /// attributes, or an extension that may refer to its vertices. Empty if the mesh can be baked.
-std::string unbakeableReason(const tinygltf::Mesh& mesh);
+std::string unbakeableReason(const tinygltf::Model& model, const tinygltf::Mesh& mesh);
 
 /// Reads the primitives of a mesh that have triangles: lists, strips and fans. Those with feature IDs or other
 /// attributes that must not be averaged (keptAttributes) become one primitive for each value. Bit-identical vertices

@@ -1,6 +1,8 @@
 // Looks up the materials that the statements name; MTL files are parsed by tinyobjloader.
 #include "bake/io/obj_reader.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@ namespace jalousie::bake {
 namespace {
 
 constexpr std::uint64_t kMaxMaterialBytes = 16ULL << 20U;  ///< of all material files together
+constexpr std::size_t kMaxKeywords = 32;                   ///< that are named in a warning
 constexpr std::size_t kMaxMaterials = 10'000;              ///< the library spends two kilobytes on each
 
 /// The materials of MTL files by name; the first definition counts.
@@ -36,10 +39,17 @@ class MaterialLibrary {
     std::string warning;
     std::string error;
     tinyobj::LoadMtl(&indices_, &materials_, &stream, &warning, &error);
-    for (std::size_t i = known_; i < materials_.size(); ++i)
+    std::vector<bool> hasDiffuse = readKeywords(text);
+    hasDiffuse.resize(materials_.size() - known_);
+    for (std::size_t i = known_; i < materials_.size(); ++i) {
+      if (!hasDiffuse[i - known_]) std::fill_n(materials_[i].diffuse, 3, 1.0F);  // the library's default is black
       byName_.try_emplace(materials_[i].name, i);
+    }
     known_ = materials_.size();
   }
+
+  /// Keywords that have no counterpart, and of which nothing else is said.
+  const std::set<std::string>& passedOver() const { return passedOver_; }
 
   const tinyobj::material_t* find(const std::string& name) const {
     const auto found = byName_.find(name);
@@ -47,6 +57,26 @@ class MaterialLibrary {
   }
 
  private:
+  /// What the library does not tell: which materials have a diffuse colour, and statements that nobody reads.
+  std::vector<bool> readKeywords(const std::string& text) {
+    static const std::set<std::string> kRead = {"newmtl",   "Kd",       "d",      "Tr",     "Ke",     "Pm",
+                                                "Pr",       "illum",    "map_Kd", "map_Ke", "norm",   "map_d",
+                                                "map_bump", "map_Bump", "bump",   "disp",   "map_Ks", "map_Ns",
+                                                "refl",     "map_refl", "map_Pr", "map_Pm", "map_Ka", "map_Ps"};
+    std::vector<bool> hasDiffuse;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      if (!(words >> keyword) || keyword.starts_with('#')) continue;
+      if (keyword == "newmtl") hasDiffuse.push_back(false);
+      if (keyword == "Kd" && !hasDiffuse.empty()) hasDiffuse.back() = true;
+      if (!kRead.contains(keyword) && passedOver_.size() < kMaxKeywords) passedOver_.insert(keyword.substr(0, 40));
+    }
+    return hasDiffuse;
+  }
+
+  std::set<std::string> passedOver_;
   std::map<std::string, int> indices_;
   std::vector<tinyobj::material_t> materials_;
   std::map<std::string, std::size_t> byName_;
@@ -143,6 +173,9 @@ PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::pa
     if (!read.contains(name) && !isWhole && !isKnownToBePart(name, read))
       notes.add("a material file is missing or cannot be read", name);
   }
+  if (!library.passedOver().empty())
+    notes.add("MTL statements have no counterpart and are passed over",
+              fmt::format("{}", fmt::join(library.passedOver(), ", ")));
   for (SurfaceMaterial& material : mesh.materials) {
     const tinyobj::material_t* found = library.find(material.name);
     if (found != nullptr) {

@@ -92,7 +92,8 @@ class Reader {
     double value = 0.0;
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool isNumber = status == std::errc() && end == word.data() + word.size();
-    if (!isNumber || !std::isfinite(static_cast<float>(value))) fail("not a finite number");
+    if (!isNumber || !std::isfinite(value)) fail("not a finite number");
+    if (!std::isfinite(static_cast<float>(value))) fail("a number that is too large for single precision");
     if (word.size() > 64)
       throw Error(ErrorCode::kLimit, fmt::format("line {}: a number of {} digits", line_, word.size()), file_);
     return value;
@@ -108,6 +109,7 @@ class Reader {
     mesh.positions.push_back(three(words, 1));
     if (words.size() < 7) return;
     mesh.colors.resize(mesh.positions.size() - 1, glm::vec4(1.0F));
+    ++colorCount_;
     mesh.colors.emplace_back(glm::vec3(three(words, words.size() == 7 ? 4 : words.size() - 3)), 1.0F);
   }
 
@@ -164,6 +166,7 @@ class Reader {
     face.material = material_;
     face.smoothing = smoothing_;
     mesh.faces.push_back(face);
+    lineOfFace_.push_back(line_);
     if (groupOfFace_.empty() || groupOfFace_.back().second != groupNumber_)
       groupOfFace_.emplace_back(mesh.faces.size() - 1, groupNumber_);
   }
@@ -218,14 +221,24 @@ class Reader {
     material_ = place->second;
   }
 
-  void checkIndices() const {
+  /// Indices may name what comes later in the file.
+  void checkIndices() {
     const PolygonMesh& mesh = result_.mesh;
-    for (const PolygonMesh::Corner& corner : mesh.corners) {
-      const bool inRange = corner.position < mesh.positions.size() &&
-                           (corner.uv == kNoIndex || corner.uv < mesh.uvs.size()) &&
-                           (corner.normal == kNoIndex || corner.normal < mesh.normals.size());
-      if (!inRange) throw Error(ErrorCode::kMalformed, "a face has an index out of range", file_);
+    std::size_t c = 0;
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      line_ = lineOfFace_[f];
+      for (; c < mesh.faces[f].end; ++c) {
+        const PolygonMesh::Corner& corner = mesh.corners[c];
+        requireIndex(corner.position, mesh.positions.size(), "vertex");
+        if (corner.uv != kNoIndex) requireIndex(corner.uv, mesh.uvs.size(), "texture coordinate");
+        if (corner.normal != kNoIndex) requireIndex(corner.normal, mesh.normals.size(), "normal");
+      }
     }
+  }
+
+  void requireIndex(std::uint32_t index, std::size_t count, const char* what) const {
+    if (index < count) return;
+    fail(fmt::format("a face has an index out of range: {} {} of {}", what, std::uint64_t{index} + 1, count));
   }
 
   /// Names the objects; in files without objects, the groups take their place.
@@ -244,14 +257,23 @@ class Reader {
     }
   }
 
-  /// Colours above 1 are shares of 255.
+  /// Shares of one with a stray value above are told from shares of 255, which reach further.
   void settleColors() {
     std::vector<glm::vec4>& colors = result_.mesh.colors;
     if (colors.empty()) return;
+    if (colorCount_ < result_.mesh.positions.size())
+      notes_.add("vertices without a colour become white",
+                 fmt::format("{} of {}", result_.mesh.positions.size() - colorCount_, result_.mesh.positions.size()));
     colors.resize(result_.mesh.positions.size(), glm::vec4(1.0F));
-    const bool inBytes = std::any_of(colors.begin(), colors.end(), [](const glm::vec4& c) {
-      return std::max({c.r, c.g, c.b}) > 1.001F;
-    });
+    const auto most = [](const glm::vec4& c) { return std::max({c.r, c.g, c.b}); };
+    constexpr float kMostOfOne = 4.0F;
+    const bool inBytes =
+        std::any_of(colors.begin(), colors.end(), [&](const glm::vec4& c) { return most(c) > kMostOfOne; });
+    const float limit = inBytes ? 255.0F : 1.0F;
+    for (const glm::vec4& c : colors)
+      if (most(c) > limit || std::min({c.r, c.g, c.b}) < 0.0F)
+        notes_.add(fmt::format("vertex colours outside of 0 to {:g} are clamped", limit),
+                   fmt::format("{:g} {:g} {:g}", c.r, c.g, c.b));
     for (glm::vec4& color : colors)
       for (int k = 0; k < 3; ++k)
         color[k] = linearFromSrgb(std::clamp(inBytes ? color[k] / 255.0F : color[k], 0.0F, 1.0F));
@@ -262,6 +284,8 @@ class Reader {
   Notes& notes_;
   std::size_t at_ = 0;
   std::uint64_t line_ = 0;
+  std::vector<std::uint64_t> lineOfFace_;
+  std::size_t colorCount_ = 0;  ///< vertices with a colour
   ObjStatements result_;
   std::string object_, group_;
   bool hasObjects_ = false;

@@ -88,7 +88,7 @@ std::string reasonToPass(const tinygltf::Model& model, std::size_t index, const 
     if (use.isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
     if (use.isInGroup[static_cast<std::size_t>(n)]) return "it is part of a group that has levels already";
   }
-  return unbakeableReason(model.meshes[index]);
+  return unbakeableReason(model, model.meshes[index]);
 }
 
 PreparedMesh prepareMesh(const tinygltf::Model& model, std::size_t index, const MeshUse& use,

@@ -2,6 +2,8 @@
 #include "bake/io/surface_document.h"
 
 #include <algorithm>
+#include <cstring>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -21,6 +23,11 @@ constexpr const char* kWebp = "EXT_texture_webp";
 std::string utf8(const std::string& text) {
   using nlohmann::json;
   return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+bool leavesFolder(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+  return path.is_absolute() || (!path.empty() && *path.begin() == "..");
 }
 
 tinygltf::Primitive makePrimitive(tinygltf::Model& model, TriangleMesh mesh, int material) {
@@ -73,7 +80,9 @@ class Materials {
     if (!isNew) return place->second;
     const std::optional<std::vector<std::byte>> bytes = pictures_(name);
     if (!bytes) {
-      notes_.add("a picture is missing or cannot be read", name);
+      const bool leaves = leavesFolder(name);
+      notes_.add(leaves ? "a picture lies outside of the input's folder" : "a picture is missing or cannot be read",
+                 name);
       return -1;
     }
     const std::string mimeType(asset::imageMimeType(*bytes));
@@ -81,6 +90,8 @@ class Materials {
       notes_.add("a picture that is no PNG, JPEG or WebP is left out", name);
       return -1;
     }
+    const bool isWebp = mimeType == "image/webp";
+    if (const int equal = equalImage(*bytes); equal >= 0) return place->second = appendTexture(equal, isWebp);
     tinygltf::Image image;
     image.name = utf8(name);
     image.mimeType = mimeType;
@@ -89,8 +100,18 @@ class Materials {
     image.image.assign(first, first + bytes->size());
     const auto index = static_cast<int>(model_.images.size());
     model_.images.push_back(std::move(image));
-    place->second = appendTexture(index, mimeType == "image/webp");
+    place->second = appendTexture(index, isWebp);
     return place->second;
+  }
+
+  /// An image with these bytes that the document has already; -1: none.
+  int equalImage(const std::vector<std::byte>& bytes) const {
+    for (std::size_t i = 0; i < model_.images.size(); ++i) {
+      const std::vector<unsigned char>& known = model_.images[i].image;
+      if (known.size() == bytes.size() && std::memcmp(known.data(), bytes.data(), bytes.size()) == 0)
+        return static_cast<int>(i);
+    }
+    return -1;
   }
 
   int appendTexture(int image, bool isWebp) {

@@ -38,12 +38,17 @@ Triangles triangulateFaces(const PolygonMesh& mesh) {
   return triangles;
 }
 
+/// The value in single precision. Not inline: GCC 12 takes the two conversions for none where it vectorises them.
+[[gnu::noinline]] double inSinglePrecision(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
 /// The middle of a box if the box is small for its place, rounded so that it is exact in single precision; else zero.
 glm::dvec3 offsetOf(const glm::dvec3& low, const glm::dvec3& high) {
   const glm::dvec3 middle = 0.5 * (low + high);
   const double away = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
   if (!(away > kFarDiagonals * glm::length(high - low)) || low == high) return glm::dvec3(0.0);
-  return glm::dvec3(glm::vec3(middle));
+  return {inSinglePrecision(middle.x), inSinglePrecision(middle.y), inSinglePrecision(middle.z)};
 }
 
 /// Collects the triangles of one object and material and shares equal corners.
@@ -99,22 +104,52 @@ class PartBuilder {
 /// The triangles of each material of each object.
 using Groups = std::map<std::uint32_t, std::map<int, std::vector<std::uint32_t>>>;
 
-SurfaceObject buildObject(const PolygonMesh& mesh, const Triangles& triangles, const CornerNormals& normals,
-                          const std::map<int, std::vector<std::uint32_t>>& materials,
-                          std::vector<std::uint32_t>& heads) {
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high = -low;
+struct Extent {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const Extent& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  double diagonal() const { return glm::length(high - low); }
+};
+
+Extent extentOf(const PolygonMesh& mesh, const Triangles& triangles,
+                const std::map<int, std::vector<std::uint32_t>>& materials) {
+  Extent extent;
   for (const auto& [material, list] : materials) {
     for (const std::uint32_t t : list) {
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::dvec3& p = mesh.positions[mesh.corners[triangles.corners[3 * std::size_t{t} + k]].position];
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+        extent.add({p, p});
       }
     }
   }
-  SurfaceObject object;
-  object.offset = offsetOf(low, high);
+  return extent;
+}
+
+/// Objects of one offset keep the vertices that they share equal, bit for bit; so all have that of the file, unless
+/// single precision would leave too little of an object.
+glm::dvec3 offsetIn(const Extent& file, const Extent& object) {
+  constexpr double kLeastShare = 1.0 / 256.0;  // of the file's diagonal: positions keep 16 bits at least
+  const bool large = object.diagonal() >= kLeastShare * file.diagonal();
+  const glm::dvec3 shared = offsetOf(file.low, file.high);
+  return large && shared != glm::dvec3(0.0) ? shared : offsetOf(object.low, object.high);
+}
+
+struct ObjectBuilder {
+  const PolygonMesh& mesh;
+  const Triangles& triangles;
+  const CornerNormals& normals;
+
+  /// @param object  with its offset   @param heads  as PartBuilder
+  SurfaceObject build(const std::map<int, std::vector<std::uint32_t>>& materials, SurfaceObject object,
+                      std::vector<std::uint32_t>& heads) const;
+};
+
+SurfaceObject ObjectBuilder::build(const std::map<int, std::vector<std::uint32_t>>& materials, SurfaceObject object,
+                                   std::vector<std::uint32_t>& heads) const {
   for (const auto& [material, list] : materials) {
     PartBuilder builder(mesh, normals, object.offset);
     for (const std::uint32_t t : list) {
@@ -140,9 +175,15 @@ std::vector<SurfaceObject> buildObjects(const PolygonMesh& mesh, NormalRule rule
   }
   std::vector<std::uint32_t> heads(mesh.positions.size(), kNoIndex);
   std::vector<SurfaceObject> objects;
-  for (const auto& [object, materials] : groups) {
-    objects.push_back(buildObject(mesh, triangles, normals, materials, heads));
-    objects.back().name = mesh.objects[object];
+  Extent file;
+  for (const auto& [object, materials] : groups)
+    file.add(extentOf(mesh, triangles, materials));
+  const ObjectBuilder builder{mesh, triangles, normals};
+  for (const auto& [number, materials] : groups) {
+    SurfaceObject object;
+    object.name = mesh.objects[number];
+    object.offset = offsetIn(file, extentOf(mesh, triangles, materials));
+    objects.push_back(builder.build(materials, std::move(object), heads));
   }
   return objects;
 }

@@ -16,6 +16,7 @@
 #include "bake/pipeline/build_identity.h"
 #include "cli/force_option.h"
 #include "cli/memory_option.h"
+#include "cli/option_checks.h"
 #include "cli/program.h"
 #include "core/error.h"
 
@@ -131,7 +132,7 @@ void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>
   program
       .add_option("-j,--jobs", result.jobs,
                   "Use this many threads; files of a folder are baked in parallel [all cores]")
-      ->check(CLI::Range(1U, 256U).description(""))
+      ->check(cli::inRange(1U, 256U).description(""))
       ->type_name(rangeText(1U, 256U));
   program
       .add_option("--cache", result.cache,
@@ -152,7 +153,7 @@ void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>
   program
       .add_option("--timeout", timeout,
                   "Stop the bake of a file after this time, seconds; 0: no limit [600 and 60 for each MiB of input]")
-      ->check(CLI::Range(0.0, 1e6).description(""))
+      ->check(cli::inRange(0.0, 1e6).description(""))
       ->type_name(rangeText(0.0, 1e6));
   program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
 }
@@ -172,26 +173,26 @@ std::string percentNumber(std::string& text) {
 /// The levels of a chain and when it ends.
 void addChainOptions(CLI::App& program, ChainOptions& chain) {
   program.add_option("--levels", chain.levels, "Make at most this many levels, LOD 0 included")
-      ->check(CLI::Range(1U, kMaxLevels).description(""))
+      ->check(cli::inRange(1U, kMaxLevels).description(""))
       ->type_name(rangeText(1U, kMaxLevels))
       ->capture_default_str();
   auto* ratio =
       program
           .add_option("--ratio", chain.ratio, "Set the triangles of a level, as a share of those of the level before")
-          ->check(CLI::Range(0.05, 0.95).description(""))
+          ->check(cli::inRange(0.05, 0.95).description(""))
           ->type_name(rangeText(0.05, 0.95))
           ->capture_default_str();
   program
       .add_option("--coarsest", chain.coarsest,
                   "Set the triangles of the last level and space the levels by a constant ratio; replaces --ratio")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U).description(""))
+      ->check(cli::inRange(kMinLevelTriangles, 100'000'000U).description(""))
       ->type_name(rangeText(kMinLevelTriangles, 100'000'000U))
       ->excludes(ratio);
   program
       .add_option("--ratios", chain.ratios,
                   "Set the triangles of LOD 1, 2, ... as shares of those of LOD 0, descending, e.g. 0.5,0.25,0.1")
       ->delimiter(',')
-      ->check(CLI::Range(1e-6, 1.0).description(""))
+      ->check(cli::inRange(1e-6, 1.0).description(""))
       ->type_name("R,...")
       ->excludes(ratio);
   program
@@ -204,11 +205,11 @@ void addChainOptions(CLI::App& program, ChainOptions& chain) {
   program
       .add_option("--until-error", chain.untilError,
                   "End the chain before a level with a larger maximum error, % of the bounding box diagonal")
-      ->check(CLI::PositiveNumber)
+      ->check(cli::positive())
       ->capture_default_str();
   program
       .add_option("--until-triangles", chain.untilTriangles, "End the chain before a level with fewer triangles [4]")
-      ->check(CLI::Range(kMinLevelTriangles, 100'000'000U).description(""))
+      ->check(cli::inRange(kMinLevelTriangles, 100'000'000U).description(""))
       ->type_name(rangeText(kMinLevelTriangles, 100'000'000U));
 }
 
@@ -236,18 +237,18 @@ void addSimplifyOptions(CLI::App& program, ChainOptions& chain) {
   program
       .add_option("--weight-normal", chain.collapse.normalWeight,
                   "Weight deviations of normals against distances; 0: ignore normals [best 1, fast 0]")
-      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->check(cli::inRange(0.0, 100.0).description(""))
       ->type_name(rangeText(0.0, 100.0));
   program
       .add_option("--weight-uv", chain.collapse.uvWeight,
                   "Weight deviations of texture coordinates against distances; 0: ignore them")
-      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->check(cli::inRange(0.0, 100.0).description(""))
       ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program
       .add_option("--weight-color", chain.collapse.colorWeight,
                   "Weight deviations of vertex colours against distances; 0: ignore them")
-      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->check(cli::inRange(0.0, 100.0).description(""))
       ->type_name(rangeText(0.0, 100.0))
       ->capture_default_str();
   program.add_flag("--lock-border", chain.collapse.lockBorder,
@@ -302,7 +303,7 @@ void addMeshOptions(CLI::App& program, BakeOptions& bake) {
       ->type_name("scene|mesh")
       ->default_str("scene");
   program.add_option("--weld", bake.weld, "Weld vertices that are at most this far apart, object units [equal ones]")
-      ->check(CLI::PositiveNumber)
+      ->check(cli::positive())
       ->type_name("DISTANCE");
   program.add_flag(
       "--keep-unused", bake.keepUnused,
@@ -315,30 +316,30 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
       .add_option(
           "--hard-angle", result.bake.hardAngle,
           "Rebuild normals: edges that bend by a larger angle are hard, all others smooth, degrees [keep normals]")
-      ->check(CLI::Range(0.0, 180.0).description(""))
+      ->check(cli::inRange(0.0, 180.0).description(""))
       ->type_name(rangeText(0.0, 180.0));
   program
       .add_option("--pixels", result.bake.screen.pixels,
                   "Set the screen-space error that MSFT_screencoverage allows, pixels")
-      ->check(CLI::Range(0.01, 1000.0).description(""))
+      ->check(cli::inRange(0.01, 1000.0).description(""))
       ->type_name(rangeText(0.01, 1000.0))
       ->capture_default_str();
   program
       .add_option("--height", result.bake.screen.height,
                   "Set the height of the 16:9 screen that MSFT_screencoverage refers to, pixels")
-      ->check(CLI::Range(16.0, 100'000.0).description(""))
+      ->check(cli::inRange(16.0, 100'000.0).description(""))
       ->type_name(rangeText(16.0, 100'000.0))
       ->capture_default_str();
   program
       .add_option("--subdivide", result.bake.subdivide,
                   "Apply this many steps of Loop subdivision before baking; needs manifold meshes")
-      ->check(CLI::Range(0U, 4U).description(""))
+      ->check(cli::inRange(0U, 4U).description(""))
       ->type_name(rangeText(0U, 4U))
       ->capture_default_str();
   program
       .add_option("--samples", result.bake.chain.samples,
                   "Measure errors at this many points per surface [best 100000, fast 12000, draft 10000]")
-      ->check(CLI::Range(100U, 10'000'000U).description(""))
+      ->check(cli::inRange(100U, 10'000'000U).description(""))
       ->type_name(rangeText(100U, 10'000'000U));
   addMeshOptions(program, result.bake);
   addCellOption(program, result.bake.cells);

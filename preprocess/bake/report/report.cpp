@@ -111,6 +111,15 @@ void noteMeshes(const std::vector<MeshReport>& meshes, Notes& notes) {
     if (mesh.findings.cleaned.notFinite > 0)
       notes.add("triangles with NaN or infinite positions are dropped", mesh.name);
     if (mesh.findings.repairedValues > 0) notes.add("NaN or infinite attribute values are set to 0", mesh.name);
+    if (mesh.findings.cleaned.degenerate > 0) notes.add("triangles without area are dropped", mesh.name);
+    if (mesh.findings.cleaned.duplicate > 0) notes.add("duplicate triangles are dropped", mesh.name);
+    if (mesh.findings.nearlyWelded > 0)
+      notes.add(
+          fmt::format("vertices of open edges lie close to others; --weld {:.1g} joins them", mesh.findings.weldHint),
+          mesh.name);
+    for (const std::string& name : mesh.findings.unusedAttributes)
+      notes.add("coarser levels are without an attribute that no material uses (--keep-unused keeps it)",
+                fmt::format("{} of {}", oneLine(name), mesh.name));
   }
 }
 

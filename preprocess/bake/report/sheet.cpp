@@ -97,7 +97,7 @@ std::string heatBar() {
 
 WedgeMesh readLevel(const tinygltf::Model& model, int mesh, const asset::Limits& limits) {
   const tinygltf::Mesh& source = model.meshes[static_cast<std::size_t>(mesh)];
-  if (!unbakeableReason(source).empty()) return {};
+  if (!unbakeableReason(model, source).empty()) return {};
   CombinedMesh combined = readCombinedMesh(model, source, limits);
   cleanMesh(combined);
   return makeWedges(combined);

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "app/gl_debug.h"
-#include "app/option_checks.h"
 #include "app/render_command_line.h"
 #include "cli/force_option.h"
 #include "cli/memory_option.h"
+#include "cli/option_checks.h"
 #include "cli/program.h"
 #include "core/error.h"
 
@@ -25,7 +25,7 @@ void addWindowOptions(CLI::App& command, ViewOptions& o) {
   command.add_option("--split", o.split, "Show a second configuration with these options right of a divider")
       ->type_name("OPTIONS");
   command.add_option("--divider", o.divider, "Position of the divider, share of the width")
-      ->check(inRange(0.0, 1.0).description(""))
+      ->check(cli::inRange(0.0, 1.0).description(""))
       ->type_name("0..1")
       ->capture_default_str();
   command.add_option("--select", o.select, "Inspect an object; OBJECT is its index in the file")->type_name("OBJECT");
@@ -33,7 +33,7 @@ void addWindowOptions(CLI::App& command, ViewOptions& o) {
   command.add_flag("--play", o.play, "Play the camera path");
   command.add_flag("--watch", o.watch, "Read files again when they, or buffers and images that they name, change");
   command.add_option("--scale", o.scale, "Scale of the interface; 0: scale of the display")
-      ->check(inRange(0.0, 8.0).description(""))
+      ->check(cli::inRange(0.0, 8.0).description(""))
       ->type_name("0..8")
       ->capture_default_str();
   command
@@ -53,7 +53,7 @@ void addScriptOptions(CLI::App& command, ViewOptions& o) {
   command
       .add_option("--frames", o.frames,
                   "Exit after N frames (1..1000000); with --play, each shows the next frame of the path")
-      ->check(inRange(1, 1000000).description(""))
+      ->check(cli::inRange(1, 1000000).description(""))
       ->type_name("N");
   command.add_flag("--interface", o.withInterface, "Include the interface in the screenshot");
   command

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <string>
 
-namespace jalousie::app {
+namespace jalousie::cli {
 
 /// A number in [least, most]; unlike CLI::Range it refuses NaN.
 inline CLI::Validator inRange(double least, double most) {
@@ -19,4 +20,14 @@ inline CLI::Validator inRange(double least, double most) {
           range};
 }
 
-}  // namespace jalousie::app
+/// A finite number above 0; CLI::PositiveNumber says its limit in 309 digits.
+inline CLI::Validator positive() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            const bool fits = CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
+            return fits ? std::string() : fmt::format("Value {} is no number above 0", text);
+          },
+          "above 0"};
+}
+
+}  // namespace jalousie::cli
