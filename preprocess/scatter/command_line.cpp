@@ -60,6 +60,7 @@ struct Given {
   std::string layout = "cube";
   std::string occluder;
   float cover = 0.75F;
+  float moving = 0.0F;
 };
 
 [[noreturn]] void usage(const std::string& message) {
@@ -126,6 +127,8 @@ Layout resolveLayout(const Given& given, std::uint64_t seed) {
   }
   if (given.rotate) layout.rotation = rotationFor(*given.rotate);
   if (given.scale) layout.scale = parseScale(*given.scale);
+  if (!(given.moving >= 0.0F && given.moving <= 1.0F)) usage("--moving must be 0 to 1");
+  layout.moving = given.moving;
   return layout;
 }
 
@@ -154,6 +157,10 @@ void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
   app.add_option("--scale", given.scale, "Scale objects at random by a factor from MIN to MAX, 0 < MIN <= MAX")
       ->type_name("MIN,MAX")
       ->default_str("1,1");
+  app.add_option("--moving", given.moving,
+                 "Let this share of the objects bounce in the cube; the one in the middle stays")
+      ->type_name("0..1")
+      ->capture_default_str();
   app.add_option("--seed", seed, "Set the seed of all random numbers")->capture_default_str();
   app.add_option("--preset", given.preset,
                  "Use a scene of the thesis: thesis-5001 (dense cube), thesis-10001 (sparse cube, random scale); "

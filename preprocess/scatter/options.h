@@ -37,6 +37,7 @@ struct Layout {
   float sideDiagonals = 0.0F;  ///< the same in diagonals of the object's box, where `side` is absent
   Rotation rotation = Rotation::kNone;
   ScaleRange scale;
+  float moving = 0.0F;  ///< share of the objects that bounce in the cube, 0 to 1
   std::uint64_t seed = 1;
 };
 

@@ -39,6 +39,7 @@ std::string reportJson(const Options& options, const Summary& summary) {
   report["side"] = summary.side;
   report["rotate"] = rotationName(layout.rotation);
   report["scale"] = {layout.scale.min, layout.scale.max};
+  report["moving"] = summary.moving;
   report["seed"] = layout.seed;
   report["levels"] = summary.levels;
   report["triangles_per_object"] = summary.trianglesPerObject;
@@ -62,6 +63,7 @@ std::string reportLine(const Options& options, const Summary& summary) {
   std::string objects = count == 1 ? "1 object" : fmt::format("{} objects", count);
   if (summary.meshesPerObject > 1) objects += fmt::format(" of {} meshes", summary.meshesPerObject);
   if (count > 1) objects += fmt::format(" in a cube of side {:.4g}", summary.side);
+  if (summary.moving > 0) objects += fmt::format(", {} of them moving", summary.moving);
   return fmt::format("{}, {} triangles at LOD 0", objects, summary.trianglesFull);
 }
 

@@ -8,7 +8,7 @@
 
 namespace jalousie::scatter {
 
-/// Keys: objects, meshes_per_object, side, rotate, scale, seed, levels, triangles_per_object, triangles_full, occluder
+/// Keys: objects, meshes_per_object, side, rotate, scale, moving, seed, levels, triangles_per_object, triangles_full, occluder
 /// (kind, cover, triangles; null without), bounds (min, max), camera_frames, ignored (counts by name).
 std::string reportJson(const Options& options, const Summary& summary);
 

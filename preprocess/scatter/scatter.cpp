@@ -14,6 +14,7 @@
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "core/error.h"
+#include "scatter/bounce.h"
 #include "scatter/camera_path.h"
 #include "scatter/layout.h"
 #include "scatter/occluder.h"
@@ -78,13 +79,31 @@ class Objects {
       model_.nodes.back().extensions["EXT_mesh_gpu_instancing"] = instancing;
       if (lod == 0) model_.nodes.back().weights = part.weights;
     }
+    return link(nodes, part);
+  }
+
+  /// Adds the nodes of a chain with a pose of their own. @return  the node of LOD 0
+  int addChain(const SourcePart& part, const std::string& name, const Pose& pose) {
+    std::vector<int> nodes;
+    for (std::size_t lod = 0; lod < part.meshes.size(); ++lod) {
+      nodes.push_back(addNode(model_, lod == 0 ? name : fmt::format("{} lod {}", name, lod), meshOf(part.meshes[lod])));
+      tinygltf::Node& node = model_.nodes.back();
+      node.translation = numbers(pose.translation);
+      node.rotation = {pose.rotation.x, pose.rotation.y, pose.rotation.z, pose.rotation.w};
+      node.scale = numbers(pose.scale);
+      if (lod == 0) node.weights = part.weights;
+    }
+    return link(nodes, part);
+  }
+
+ private:
+  int link(const std::vector<int>& nodes, const SourcePart& part) {
     std::vector<float> coverage = part.coverage;
     coverage.resize(nodes.size(), 0.0F);
     asset::setLodChain(model_, nodes[0], std::span(nodes).subspan(1), coverage);
     return nodes[0];
   }
 
- private:
   int meshOf(int source) {
     const auto [place, isNew] = known_.try_emplace(source, static_cast<int>(model_.meshes.size()));
     if (isNew) model_.meshes.push_back(meshes_[static_cast<std::size_t>(source)]);
@@ -96,10 +115,92 @@ class Objects {
   std::map<int, int> known_;  ///< of the input to the output
 };
 
+/// Adds objects that move, each as nodes of its own: EXT_mesh_gpu_instancing has no animated instances.
+class Movers {
+ public:
+  /// @param halfSide  of the cube, world units
+  Movers(Model& model, Objects& objects, const SourceAsset& source, float halfSide)
+      : model_(model), objects_(objects), source_(source), halfSide_(halfSide) {
+    animation_.name = "bouncing";
+  }
+
+  /// @return  the node that moves
+  int add(const Placement& placed, const glm::dvec3& velocity) {
+    const auto mover = static_cast<int>(model_.nodes.size());
+    model_.nodes.emplace_back();
+    std::vector<int> children;
+    for (const SourcePart& part : source_.parts)
+      for (const Pose& pose : part.poses)
+        children.push_back(objects_.addChain(part, fmt::format("moving {}", mover),
+                                             {pose.translation - source_.center, pose.rotation, pose.scale}));
+    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(mover)];
+    node.name = "mover";
+    node.children = std::move(children);
+    node.translation = numbers(placed.place);
+    node.rotation = {placed.turn.x, placed.turn.y, placed.turn.z, placed.turn.w};
+    node.scale = numbers(glm::vec3(placed.factor));
+    animate(mover, bouncePath(placed.place, velocity, halfSide_, kLastSecond));
+    return mover;
+  }
+
+  void finish() { model_.animations.push_back(std::move(animation_)); }
+
+ private:
+  static constexpr double kLastSecond = double{kFrameCount - 1} / kFramesPerSecond;
+
+  void animate(int node, const BouncePath& path) {
+    tinygltf::AnimationSampler sampler;
+    sampler.input = asset::appendScalars(model_, path.times, 0);
+    sampler.output = asset::appendVec3(model_, path.positions, 0);
+    sampler.interpolation = "LINEAR";
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(animation_.samplers.size());
+    channel.target_node = node;
+    channel.target_path = "translation";
+    animation_.samplers.push_back(std::move(sampler));
+    animation_.channels.push_back(std::move(channel));
+  }
+
+  Model& model_;
+  Objects& objects_;
+  const SourceAsset& source_;
+  float halfSide_;
+  tinygltf::Animation animation_;
+};
+
+/// Bounds of an object wherever the cube lets it be.
+Aabb boundsOfMover(const SourceAsset& source, const Placement& placed, float halfSide) {
+  Aabb box;
+  for (const SourcePart& part : source.parts)
+    box.add(boundsOf(instancesOf({{glm::vec3(0.0F), placed.turn, placed.factor}}, source, part), part.boxObject));
+  return {box.min - halfSide, box.max + halfSide};
+}
+
+/// Adds all objects that move, and leaves the others. @return  the nodes of the movers
+std::vector<int> addMovers(Movers& movers, const SourceAsset& source, const Layout& layout,
+                           std::vector<Placement>& placements, Summary& summary) {
+  const std::vector<Mover> chosen = chooseMovers(layout.count, layout.moving, summary.side, layout.seed);
+  if (chosen.empty()) return {};
+  std::vector<int> nodes;
+  std::vector<bool> moves(placements.size(), false);
+  for (const Mover& mover : chosen) {
+    const Placement& placed = placements[mover.object];
+    moves[mover.object] = true;
+    nodes.push_back(movers.add(placed, mover.velocity));
+    summary.boundsWorld.add(boundsOfMover(source, placed, 0.5F * summary.side));
+  }
+  movers.finish();
+  summary.moving = static_cast<std::uint32_t>(chosen.size());
+  std::vector<Placement> resting;
+  for (std::size_t i = 0; i < placements.size(); ++i)
+    if (!moves[i]) resting.push_back(placements[i]);
+  placements = std::move(resting);
+  return nodes;
+}
+
 /// Adds all parts and their bounds. @return  their nodes
-std::vector<int> addParts(Model& model, const std::vector<tinygltf::Mesh>& meshes, const SourceAsset& source,
-                          const std::vector<Placement>& placements, Summary& summary) {
-  Objects objects(model, meshes);
+std::vector<int> addParts(Objects& objects, const SourceAsset& source, const std::vector<Placement>& placements,
+                          Summary& summary) {
   std::vector<int> nodes;
   for (const SourcePart& part : source.parts) {
     const asset::Instances instances = instancesOf(placements, source, part);
@@ -184,7 +285,12 @@ ScatteredScene scatterObjects(Model input, const Options& options, Progress& pro
   const std::vector<tinygltf::Mesh> meshes = std::move(input.meshes);
   model = withoutNodes(std::move(input));
   tinygltf::Scene root;
-  root.nodes = addParts(model, meshes, source, placeObjects(layout, summary.side, progress), summary);
+  std::vector<Placement> placements = placeObjects(layout, summary.side, progress);
+  Objects objects(model, meshes);
+  Movers bouncing(model, objects, source, 0.5F * summary.side);
+  const std::vector<int> movers = addMovers(bouncing, source, layout, placements, summary);
+  root.nodes = addParts(objects, source, placements, summary);
+  root.nodes.insert(root.nodes.end(), movers.begin(), movers.end());
   requireRepresentable(summary.boundsWorld);
 
   const PathSubject subject{layout.count > 1 ? 0.5F * summary.side : 0.0F, 0.5F * layout.scale.max * source.diagonal,

@@ -15,6 +15,7 @@ namespace jalousie::scatter {
 /// Figures of the scene.
 struct Summary {
   float side = 0.0F;                     ///< world units
+  std::uint32_t moving = 0;              ///< objects that bounce in the cube
   std::uint32_t levels = 0;              ///< of the longest LOD chain
   std::uint64_t meshesPerObject = 0;     ///< instances of meshes that an object consists of
   std::uint64_t trianglesPerObject = 0;  ///< LOD 0

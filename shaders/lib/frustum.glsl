@@ -85,6 +85,20 @@ float distanceFromEye(vec4 eyeWorld, vec4 forwardWorld, vec3 lower, vec3 upper) 
   return max(closest.x + closest.y + closest.z, 0.0);
 }
 
+/// Area of the sphere around a world box on the screen, pixels: that of an ellipse, pi f^2 r^2 sqrt(D^2 - r^2) /
+/// (d^2 - r^2)^(3/2) with D the distance of the centre and d its depth; infinite where the sphere reaches the plane of
+/// the eye. @param forwardWorld  as in CullView
+float sphereArea(vec3 eyeWorld, vec4 forwardWorld, float focalPixels, BoxOnScreen box) {
+  vec3 toCenter = 0.5 * (box.minWorld + box.maxWorld) - eyeWorld;
+  float radius = 0.5 * length(box.maxWorld - box.minWorld);
+  float size = 3.14159265 * (focalPixels * radius) * (focalPixels * radius);
+  if (forwardWorld.w != 0.0) return size;
+  float depth = dot(toCenter, forwardWorld.xyz);
+  if (depth <= radius) return uintBitsToFloat(0x7f800000u);
+  float beyond = depth * depth - radius * radius;
+  return size * sqrt(max(dot(toCenter, toCenter) - radius * radius, 0.0)) / (beyond * sqrt(beyond));
+}
+
 /// Upper bound of how much a transform stretches a length: exact where the axes stay orthogonal, and never too small
 /// under shear (the largest row sum of the Gram matrix bounds its largest eigenvalue).
 float largestScale(Transform t) {

@@ -28,18 +28,18 @@ struct CullView {
   uint importanceLevels;   // levels of the importance mask; 0: no mask
   uint importanceWidth;    // texels of its finest level
   uint importanceHeight;
-  float relax;          // with both kTraitFollowsError and kTraitFollowsLv tau grows to at most tau * (1 + relax)
-  uint calm;            // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
-  uint countsValid;     // 1: the pixels of the last frame were counted
-  uint measureCover;    // 1: analyse.comp fills ScreenBox.cover, for the views
-  float hysteresis;     // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
-  uint fadeFrames;      // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
-  float maxError;       // kTraitPrice: limit of the largest deviation, pixels; infinite: none
-  uint triangleBudget;  // kTraitPrice: triangles of a frame that the price is moved towards; 0: it stays
-  uint cellCount;       // cells of the scene; 0: objects are culled and drawn whole
-  uint cullCells;       // 1: cells are culled one by one; 0: a cell is drawn where its object is
+  float relax;            // with both kTraitFollowsError and kTraitFollowsLv tau grows to at most tau * (1 + relax)
+  uint calm;              // 1: levels follow the budget with hysteresis, one at a time, and are cross-faded
+  uint countsValid;       // 1: the pixels of the last frame were counted
+  uint measureCover;      // 1: analyse.comp fills ScreenBox.cover, for the views
+  float hysteresis;       // calm: a level stays while tau * hysteresis and tau / hysteresis allow it; at least 1
+  uint fadeFrames;        // calm: frames of a cross-fade, at most kMaxFadeFrames; 0: levels switch at once
+  float maxError;         // kTraitPrice: limit of the largest deviation, pixels; infinite: none
+  uint triangleBudget;    // kTraitPrice: triangles of a frame that the price is moved towards; 0: it stays
+  uint cellCount;         // cells of the scene; 0: objects are culled and drawn whole
+  uint cullCells;         // 1: cells are culled one by one; 0: a cell is drawn where its object is
+  float minSpherePixels;  // objects whose bounding sphere has a smaller area on the screen are not drawn; 0: none
   uint reserved0;
-  uint reserved1;
 };
 JAL_ASSERT_SIZE(CullView, 208)
 

@@ -13,7 +13,7 @@ struct SliceView {
   uint commandCapacity;  // commands per list: two per unit, the second for the level that fades out
   uint listCount;        // lists in the buffer of commands: with patches kListCount, else kListsPerDetail
   uint threshold;        // a node is visible if more samples pass
-  uint reserved0;
+  float importance;      // samples count where the importance mask is at least this
   uint reserved1;
   uint reserved2;
 };

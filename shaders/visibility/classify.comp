@@ -28,6 +28,10 @@ uint classify(BoxOnScreen box, float importance) {
   if (box.crossesNear && !hasTrait(kTraitUsesMap)) return kVerdictNear;
   vec2 size = box.rect.zw - box.rect.xy;
   if (!box.crossesNear && size.x * size.y * importance < cullView.minPixels) return kVerdictSmall;
+  if (cullView.minSpherePixels > 0.0 &&
+      sphereArea(cullView.cameraWorld.xyz, cullView.forwardWorld, cullView.focalPixels, box) * importance <
+          cullView.minSpherePixels)
+    return kVerdictSmall;
   if (hasTrait(kTraitUsesMap) &&
       distanceFromEye(cullView.cameraWorld, cullView.forwardWorld, box.minWorld, box.maxWorld) <
           cullView.occluderDistance)

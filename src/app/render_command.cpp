@@ -54,6 +54,7 @@ void render(const RenderOptions& options) {
   rendererOptions.importance = importance ? &*importance : nullptr;
   rendererOptions.memory = options.memory;
   render::FrameRenderer renderer(scene, options.width, options.height, rendererOptions);
+  renderer.prepare(options.frameOptions);
   scene.textures.images = {};  // uploaded
   RenderReport report = [&] {
     Progress progress("rendering", captureFrames(options), options.quiet);

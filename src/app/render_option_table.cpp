@@ -145,6 +145,13 @@ std::vector<RenderOption> cullingRows() {
        OptionGroup::kCulling, NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
        "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
+      {"--min-sphere-pixels", "smallest sphere", "pixels of area",
+       "Cull objects whose bounding sphere covers fewer pixels (detail culling): unlike the rectangle's, its area does not "
+       "change while an object turns or leaves the picture; 0 turns this off",
+       OptionGroup::kCulling,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.minSpherePixels; }, 0.0F, 1e6F},
+       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
+       [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
        "same, but for --triangles, a full list (--capacity), a frozen camera and views that show cells. auto = the "
@@ -212,6 +219,13 @@ std::vector<RenderOption> queryRows() {
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.threshold; }, 0, 0x7fffffffU},
        modesWith(&CullModeRow::countsSamples), modeHas<&CullModeRow::countsSamples>},
+      {"--query-importance", "importance of samples", "",
+       "With --importance, count only the samples of a query where the mask is at least this bright: what shows only "
+       "elsewhere is not drawn",
+       OptionGroup::kCulling,
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.queries.importance; }, 0.0F, 1.0F},
+       "--importance and " + modesWith(&CullModeRow::asksQueries),
+       [](const Options& o) { return !o.importance.empty() && modeHas<&CullModeRow::asksQueries>(o); }},
       {"--query-batch", "query batch", "queries", "Send so many occlusion queries before an answer is waited for",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.batch; }, 1, 1000},

@@ -83,7 +83,7 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
                                  rowOf(options.frameOptions.detail).name, report.renderer);
   text += fmt::format("  objects   {:>13}   outside {}, occluded {}, ", grouped(s.objects), grouped(s.culledFrustum),
                       grouped(s.culledOcclusion));
-  if (options.frameOptions.minPixels > 0.0F) text += fmt::format("small {}, ", grouped(s.culledSmall));
+  if (s.culledSmall > 0) text += fmt::format("small {}, ", grouped(s.culledSmall));
   text += fmt::format("drawn {}", grouped(s.drawn));
   if (hasTwoPhases(options)) text += fmt::format(" ({} in phase 1)", grouped(s.drawnEarly));
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));

@@ -176,6 +176,7 @@ render::FrameRenderer& Experiment::renderer(std::size_t configuration) {
     const Configuration& c = inputs_.configurations[configuration];
     slot = std::make_unique<render::FrameRenderer>(*inputs_.scenes.ofConfigurations.at(configuration),
                                                    inputs_.plan.width, inputs_.plan.height, c.renderer);
+    slot->prepare(c.frame);
     // Warm-up: the driver compiles the shaders and allocates memory in the first frame.
     render::FrameOptions options = c.frame;
     options.skipDraw = inputs_.plan.reference == Reference::kNone;

@@ -9,7 +9,6 @@
 
 #include "compare/configuration.h"
 #include "compare/statistics_table.h"
-#include "core/check.h"
 
 namespace jalousie::compare {
 namespace {
@@ -20,10 +19,7 @@ constexpr std::string_view kCounts[] = {
     "culled_occlusion", "culled_small", "occluders", "switches",    "fading",      "dropped"};
 
 std::uint64_t countOf(const render::FrameStatistics& statistics, std::string_view key) {
-  const auto* const field = std::find_if(std::begin(kStatisticsFields), std::end(kStatisticsFields),
-                                         [&](const StatisticsField& f) { return f.key == key; });
-  JAL_CHECK((field != std::end(kStatisticsFields)));
-  return statistics.*field->value;
+  return statistics.*statisticsField(key).value;
 }
 
 std::string csvField(const std::string& text) {
@@ -58,6 +54,8 @@ std::string headLine(const Columns& columns) {
   std::string text = "frame,configuration";
   for (const std::string_view key : kCounts)
     text += fmt::format(",{}", key);
+  for (const std::string_view key : kQueryCounts)
+    text += fmt::format(",{}", key);
   text += ",visible,visible_switched,lost,wrong_pixels,flip,flip_covered,psnr,ssim,butteraugli,temporal_flip,frame_ms";
   for (const std::string& pass : columns.passes)
     text += "," + csvField(pass + " ms");
@@ -81,6 +79,8 @@ std::string passField(const Sample& sample, const std::string& pass) {
 std::string line(const Sample& sample, const std::string& name, const Columns& columns) {
   std::string text = fmt::format("{},{}", sample.frame, csvField(name));
   for (const std::string_view key : kCounts)
+    text += fmt::format(",{}", countOf(sample.statistics, key));
+  for (const std::string_view key : kQueryCounts)
     text += fmt::format(",{}", countOf(sample.statistics, key));
   text += sample.visible ? fmt::format(",{}", *sample.visible) : ",";
   text += sample.switched ? fmt::format(",{}", *sample.switched) : ",";

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
+#include "core/check.h"
 #include "render/frame_statistics.h"
 
 namespace jalousie::compare {
@@ -38,6 +40,20 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"slices", &render::FrameStatistics::slices},
     {"nodes_visited", &render::FrameStatistics::nodesVisited},
     {"plane_tests", &render::FrameStatistics::planeTests},
+    {"query_decision_ns", &render::FrameStatistics::decisionNs},
 };
+
+/// Of the modes that ask occlusion queries: what a summary and frames.csv show of them.
+inline constexpr const char* kQueryCounts[] = {"queries",           "query_boxes",    "query_waits",
+                                               "query_round_trips", "query_switches", "slices",
+                                               "nodes_visited",     "plane_tests",    "query_decision_ns"};
+
+/// @pre the key is in the table (checked)
+inline const StatisticsField& statisticsField(std::string_view key) {
+  for (const StatisticsField& field : kStatisticsFields)
+    if (field.key == key) return field;
+  JAL_CHECK(key == "a key of the table");
+  return kStatisticsFields[0];
+}
 
 }  // namespace jalousie::compare

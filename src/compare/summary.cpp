@@ -13,6 +13,7 @@
 #include "compare/configuration.h"
 #include "compare/curves.h"
 #include "compare/spread.h"
+#include "compare/statistics_table.h"
 #include "core/check.h"
 #include "scene/scene_names.h"
 
@@ -85,6 +86,31 @@ ordered_json errorJson(const std::vector<const Sample*>& samples) {
           {"ssim",
            {{"mean", meanOf(similarities)}, {"least", *std::min_element(similarities.begin(), similarities.end())}}},
           {"butteraugli", masked.empty() ? ordered_json(nullptr) : spread(masked)}};
+}
+
+/// Visible objects and how many times as many were drawn; null without pictures.
+void addVisible(ordered_json& json, const std::vector<const Sample*>& samples) {
+  std::vector<double> visible;
+  std::vector<double> ratio;
+  for (const Sample* sample : samples) {
+    if (!sample->visible) continue;
+    visible.push_back(static_cast<double>(*sample->visible));
+    if (*sample->visible > 0) ratio.push_back(static_cast<double>(sample->statistics.drawn) / visible.back());
+  }
+  json["visible"] = visible.empty() ? ordered_json(nullptr) : toJson(spreadOf(visible));
+  json["drawn_per_visible"] = ratio.empty() ? ordered_json(nullptr) : toJson(spreadOf(ratio));
+}
+
+/// What occlusion queries took; null where none were asked.
+ordered_json queriesJson(const std::vector<const Sample*>& samples) {
+  const bool asks =
+      std::any_of(samples.begin(), samples.end(), [](const Sample* s) { return s->statistics.queries > 0; });
+  if (!asks) return nullptr;
+  ordered_json json;
+  for (const char* key : kQueryCounts)
+    json[key] =
+        toJson(spreadOf(valuesOf(samples, [&](const Sample& s) { return s.statistics.*statisticsField(key).value; })));
+  return json;
 }
 
 /// Objects and pixels that culling lost; null without pictures.
@@ -239,6 +265,8 @@ ordered_json configurationJson(const Results& results, const Configuration& conf
   json["passes_ms"] = passesJson(samples);
   json["draws"] = spread([](const Sample& s) { return s.statistics.draws; });
   json["drawn"] = spread([](const Sample& s) { return s.statistics.drawn; });
+  addVisible(json, samples);
+  json["queries"] = queriesJson(samples);
   json["culled_frustum"] = spread([](const Sample& s) { return s.statistics.culledFrustum; });
   json["culled_occlusion"] = spread([](const Sample& s) { return s.statistics.culledOcclusion; });
   json["lod_histogram_mean"] = meanHistogram(samples);
@@ -394,10 +422,13 @@ std::string summaryText(const ordered_json& summary) {
   const auto isJudged = [](const ordered_json& c) {
     return !c.at("error").is_null() && !c.at("error").at("butteraugli").is_null();
   };
+  const auto asks = [](const ordered_json& c) { return !c.at("queries").is_null(); };
   const bool judged = std::any_of(configurations.begin(), configurations.end(), isJudged);
+  const bool asked = std::any_of(configurations.begin(), configurations.end(), asks);
   std::string text =
-      fmt::format("{:<28} {:>9} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8}{}\n", "configuration", "lost px",
-                  "triangles", "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches", judged ? " Butteraugli" : "");
+      fmt::format("{:<28} {:>9} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8} {:>8}{}{}\n", "configuration", "lost px",
+                  "triangles", "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches", "drawn/v.",
+                  judged ? " Butteraugli" : "", asked ? "  queries   waits  state ch." : "");
   for (const ordered_json& c : configurations) {
     const auto median = [&](const char* key) { return c.at(key).at("median").get<double>(); };
     const ordered_json& error = c.at("error");
@@ -408,8 +439,15 @@ std::string summaryText(const ordered_json& summary) {
         lost.is_null() ? "-" : std::to_string(lost.at("pixels_most").get<std::uint64_t>()),
         shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"), median("frame_ratio"), flip,
         psnrText(error), orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
+    const ordered_json& perVisible = c.at("drawn_per_visible");
+    text += fmt::format(" {:>8}", perVisible.is_null() ? "-" : orDash(perVisible.at("median"), "{:.2f}"));
     if (judged)
       text += fmt::format(" {:>11}", isJudged(c) ? orDash(error.at("butteraugli").at("mean"), "{:.4f}") : "-");
+    const auto count = [&](const char* key) {
+      return asks(c) ? fmt::format("{:.0f}", c.at("queries").at(key).at("median").get<double>()) : std::string("-");
+    };
+    if (asked)
+      text += fmt::format(" {:>8} {:>7} {:>10}", count("queries"), count("query_waits"), count("query_switches"));
     text += "\n";
   }
   return text;

@@ -1,6 +1,7 @@
 // What a scheduler of occlusion queries works on: OpenGL in the renderer, a software raster in tests.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <span>
 
@@ -14,8 +15,10 @@ struct QueryFigures {
   std::uint64_t queryRoundTrips = 0;  ///< of them: for the newest query, so that nothing is left to do meanwhile
   std::uint64_t querySwitches = 0;    ///< between drawing objects and asking
   std::uint64_t slices = 0;           ///< ranges of objects drawn
+  std::uint64_t sliceDraws = 0;       ///< draw calls that drew them: what lies side by side is drawn together
   std::uint64_t nodesVisited = 0;     ///< of the hierarchy
   std::uint64_t planeTests = 0;       ///< box against plane
+  std::uint64_t decisionNs = 0;       ///< CPU time of the schedule itself, without drawing, asking and waiting
 };
 
 /// Draws and asks in the order of the calls. Counts what it is told.
@@ -32,6 +35,7 @@ class QueryDevice {
     asking_ = 1;
     ++figures_.queries;
     figures_.queryBoxes += nodes.size();
+    const Stopwatch watch(*this);
     const Query query = startQuery(nodes);
     newest_ = ++asked_;
     return query;
@@ -43,6 +47,7 @@ class QueryDevice {
       if (order == newest_) ++figures_.queryRoundTrips;
       finished_ = order;
     }
+    const Stopwatch watch(*this);
     return takeAnswer(query);
   }
   /// Draws the objects at these places of the hierarchy's order.
@@ -50,6 +55,7 @@ class QueryDevice {
     if (asking_ == 1) ++figures_.querySwitches;
     asking_ = 0;
     ++figures_.slices;
+    const Stopwatch watch(*this);
     drawObjects(first, count);
   }
   /// What is drawn if more samples pass than the threshold that the device was made for.
@@ -63,6 +69,7 @@ class QueryDevice {
     if (asking_ == 1) ++figures_.querySwitches;
     asking_ = 0;
     figures_.slices += ranges.size();
+    const Stopwatch watch(*this);
     drawConditionally(ranges);
   }
   /// Queries asked since the device was made.
@@ -71,6 +78,8 @@ class QueryDevice {
   virtual std::uint32_t capacity() const = 0;
 
   QueryFigures& figures() { return figures_; }
+  /// Time spent in the device since it was made.
+  std::chrono::nanoseconds timeInside() const { return inside_; }
 
  protected:
   virtual Query startQuery(std::span<const std::uint32_t> nodes) = 0;
@@ -79,7 +88,21 @@ class QueryDevice {
   virtual void drawObjects(std::uint32_t first, std::uint32_t count) = 0;
 
  private:
+  /// Adds the time of a scope to timeInside().
+  class Stopwatch {
+   public:
+    explicit Stopwatch(QueryDevice& device) : device_(device), start_(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() { device_.inside_ += std::chrono::steady_clock::now() - start_; }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+   private:
+    QueryDevice& device_;
+    std::chrono::steady_clock::time_point start_;
+  };
+
   QueryFigures figures_;
+  std::chrono::nanoseconds inside_{0};
   std::uint64_t asked_ = 0;
   std::uint64_t newest_ = 0;
   std::uint64_t finished_ = 0;

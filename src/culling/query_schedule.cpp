@@ -24,7 +24,11 @@ void QuerySchedule::run(const QueryView& view, const QueryOptions& options, Quer
   options_ = options;
   device_ = &device;
   ++frame_;
+  const auto start = std::chrono::steady_clock::now();
+  const std::chrono::nanoseconds inside = device.timeInside();
   if (!tree_.nodes.empty()) decide();
+  const std::chrono::nanoseconds all = std::chrono::steady_clock::now() - start;
+  device.figures().decisionNs += static_cast<std::uint64_t>((all - (device.timeInside() - inside)).count());
 }
 
 void QuerySchedule::forget(QueryDevice& device) {

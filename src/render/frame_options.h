@@ -37,6 +37,8 @@ struct FrameOptions : FramePolicy {
   gpu::uint fadeFrames = gpu::kDefaultFadeFrames;  ///< calm: frames of a cross-fade, <= kMaxFadeFrames; 0: none
   /// Objects whose bounding rectangle covers fewer pixels are not drawn; 0: all are.
   float minPixels = 0.0F;
+  /// Objects whose bounding sphere covers fewer pixels are not drawn (detail culling); 0: all are.
+  float minSpherePixels = 0.0F;
   /// Finest level of the patch path; lowered to tessellationLimit() where the driver would lose triangles.
   gpu::uint maxTessellation = gpu::kMaxTessellationLevel;
   gpu::uint mapLevel = 0;  ///< level shown by View::kOcclusion

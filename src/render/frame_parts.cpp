@@ -53,9 +53,10 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       statistics(shaders),
       draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
       methods({scene, capabilities, shaders, memory}),
-      context{cullView, drawView, counting, timer,   buffers, visibility, budget,       lists,
-              early,    late,     draw,     targets, map,     pyramid,    queryOptions, queryFigures},
+      context{cullView, drawView, counting, timer, buffers, visibility,   budget,        lists,       early,
+              late,     draw,     targets,  map,   pyramid, queryOptions, hasImportance, queryFigures},
       drawing(context, scene, shaders) {
+  hasImportance = options.importance != nullptr;
   methods.resize(width, height);
   if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);
 }
@@ -94,8 +95,12 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const QueryRecord& queries = queryRecords[record->frame % queryRecords.size()];
   if (queries.frame == record->frame) static_cast<culling::QueryFigures&>(result) = queries.figures;
   const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
-  for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list)
+  const bool slices = result.sliceDraws > 0;  // of the late list only the blended surfaces are drawn
+  for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list) {
+    if (slices && list % gpu::kListsPerDetail != gpu::kListBlend) continue;
     result.draws += record->late[list] + (drawsEarly ? record->early[list] : 0);
+  }
+  result.draws += result.sliceDraws;
   return result;
 }
 

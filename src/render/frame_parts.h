@@ -49,6 +49,7 @@ struct FrameParts {
   gpu::DrawView drawView{};
   CullMode cullMode = CullMode::kFull;      ///< of the last frame
   culling::QueryOptions queryOptions;       ///< of the last frame
+  bool hasImportance = false;               ///< RendererOptions::importance was given
   culling::QueryFigures queryFigures;       ///< of the last frame
   bool counting = false;                    ///< this frame's visible pixels are counted
   std::uint32_t countAge = kCountInterval;  ///< frames since they last were

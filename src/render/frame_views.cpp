@@ -48,6 +48,7 @@ gpu::CullView makeCullView(const FrameOptions& options, const scene::Camera& cam
   view.tau = options.tau;
   view.occluderTau = options.occluderTau.value_or(rowOf(options.cullMode).occluderTau);
   view.minPixels = options.minPixels;
+  view.minSpherePixels = options.minSpherePixels;
   view.relax = options.relax;
   view.maxError = options.maxError > 0.0F ? options.maxError : std::numeric_limits<float>::infinity();
   view.triangleBudget = rowOf(options.lodRule).pricesTriangles ? options.triangleBudget : 0;

@@ -62,6 +62,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"bend vertices", {"motion/bend_vertices.comp"}, {}},
       {"bound poses", {"motion/bound_poses.comp"}, {}},
       {"query box", {"render/query_box.vert", "render/query_box.frag"}, {}},
+      {"query box, masked", {"render/query_box.vert", "render/query_box.frag"}, {"JAL_MASKED"}},
   };
   return kPrograms;
 }

@@ -35,6 +35,7 @@ enum class ProgramId : unsigned {
   kBendVertices,
   kBoundPoses,
   kQueryBox,
+  kQueryBoxMasked,  ///< with an importance mask
 };
 
 /// The define that reads instance lists with ARB_shader_draw_parameters instead of an instanced attribute.

@@ -15,7 +15,9 @@ constexpr GLsizei kBoxVertices = 36;
 }  // namespace
 
 QueryPass::QueryPass(const gl::ShaderLibrary& shaders)
-    : program_(programSource(ProgramId::kQueryBox), shaders), input_("query boxes") {}
+    : program_(programSource(ProgramId::kQueryBox), shaders),
+      maskedProgram_(programSource(ProgramId::kQueryBoxMasked), shaders),
+      input_("query boxes") {}
 
 QueryPass::~QueryPass() {
   if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
@@ -50,6 +52,7 @@ void QueryPass::begin(const FrameContext& frame, SlicePass& slices, const SliceO
   slices_ = &slices;
   order_ = &order;
   deferred_ = deferred;
+  masked_ = frame.queryOptions.importance > 0.0F && frame.hasImportance;
   asking_ = false;
   drawCalls_ = 0;
   figures() = {};
@@ -76,7 +79,8 @@ void QueryPass::askMode() {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_GEQUAL);
-  program_.use();
+  (masked_ ? maskedProgram_ : program_).use();
+  if (masked_) slices_->bindView();
   input_.bind();
   frame_->visibility.decided().view->bindUniform(gpu::kBindingCullView);
 }

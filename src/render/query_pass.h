@@ -59,6 +59,7 @@ class QueryPass : public culling::QueryDevice {
   void drawPlaces(std::span<const SlicePlaces> places);
 
   gl::Program program_;
+  gl::Program maskedProgram_;
   gl::VertexArray input_;
   gl::Buffer boxes_;
   std::vector<GLuint> queries_;
@@ -72,6 +73,7 @@ class QueryPass : public culling::QueryDevice {
   SlicePass* slices_ = nullptr;
   const SliceOrder* order_ = nullptr;
   DeferredDrawing deferred_ = DeferredDrawing::kConditional;
+  bool masked_ = false;  ///< QueryOptions::importance applies
   bool asking_ = false;
   std::uint64_t drawCalls_ = 0;
 };

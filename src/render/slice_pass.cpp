@@ -83,8 +83,9 @@ void SlicePass::setOrder(const SliceOrder& order) {
 }
 
 void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
-                      std::uint32_t threshold) {
-  view_.threshold = threshold;
+                      const culling::QueryOptions& options) {
+  view_.threshold = options.threshold;
+  view_.importance = options.importance;
   viewBuffer_.writeValue(view_);
   if (samplesKnown_) {
     const gpu::uint unknown = gpu::kSamplesUnknown;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "culling/hierarchy.h"
+#include "culling/query_options.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "render/draw_pass.h"
@@ -40,8 +41,11 @@ class SlicePass {
   void allocate(const scene::SceneData& scene, std::uint32_t nodes);
   void setOrder(const SliceOrder& order);
 
-  /// Writes the commands of a frame that was classified. @param threshold  SliceView::threshold
-  void begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided, std::uint32_t threshold);
+  /// Writes the commands of a frame that was classified.
+  void begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
+             const culling::QueryOptions& options);
+  /// For programs that read gpu::SliceView.
+  void bindView() const { viewBuffer_.bindUniform(gpu::kBindingSliceView); }
   /// What begin() wrote. @param fading  levels may fade out
   SliceList list(bool fading) const { return {&instances_, &commands_, view_.commandCapacity, patches_, fading}; }
   /// gpu::uint [nodes]: samples of the nodes whose answers the CPU does not see.

@@ -193,12 +193,27 @@ float distanceFromEye(const gpu::CullView& view, const Aabb& box) {
   return std::max(closest.x + closest.y + closest.z, 0.0F);
 }
 
+float sphereArea(const gpu::CullView& view, const Aabb& box) {
+  constexpr float kPi = 3.14159265F;
+  const glm::vec3 toCenter = 0.5F * (box.min + box.max) - glm::vec3(view.cameraWorld);
+  const float radius = 0.5F * glm::length(box.max - box.min);
+  const float size = kPi * (view.focalPixels * radius) * (view.focalPixels * radius);
+  if (view.forwardWorld.w != 0.0F) return size;
+  const float depth = glm::dot(toCenter, glm::vec3(view.forwardWorld));
+  if (depth <= radius) return std::numeric_limits<float>::infinity();
+  const float beyond = depth * depth - radius * radius;
+  return size * std::sqrt(std::max(glm::dot(toCenter, toCenter) - radius * radius, 0.0F)) /
+         (beyond * std::sqrt(beyond));
+}
+
 gpu::uint classify(const BoxOnScreen& box, const gpu::CullView& view, float importance) {
   if (!has(view.traits, gpu::kTraitCulls)) return gpu::kVerdictPending;
   if (box.outside) return gpu::kVerdictOutside;
   if (box.crossesNear && !has(view.traits, gpu::kTraitUsesMap)) return gpu::kVerdictNear;
   const glm::vec2 size(box.rect.z - box.rect.x, box.rect.w - box.rect.y);
   if (!box.crossesNear && size.x * size.y * importance < view.minPixels) return gpu::kVerdictSmall;
+  if (view.minSpherePixels > 0.0F && sphereArea(view, box.boundsWorld) * importance < view.minSpherePixels)
+    return gpu::kVerdictSmall;
   if (has(view.traits, gpu::kTraitUsesMap) && distanceFromEye(view, box.boundsWorld) < view.occluderDistance)
     return gpu::kVerdictOccluder;
   return box.crossesNear ? gpu::kVerdictNear : gpu::kVerdictPending;

@@ -39,6 +39,11 @@ float distanceToBox(const glm::vec3& point, const Aabb& box);
 /// the plane of its camera along its direction; 0 behind that plane.
 float distanceFromEye(const gpu::CullView& view, const Aabb& box);
 
+/// Area of the sphere around a world box on the screen, pixels: that of an ellipse, pi f^2 r^2 sqrt(D^2 - r^2) /
+/// (d^2 - r^2)^(3/2) with D the distance of the centre and d its depth; infinite where the sphere reaches the plane of
+/// the eye (d <= r). Orthographic: pi f^2 r^2.
+float sphereArea(const gpu::CullView& view, const Aabb& box);
+
 /// Upper bound of how much a transform stretches a length; exact where the axes stay orthogonal.
 float largestScale(const gpu::Transform& transform);
 

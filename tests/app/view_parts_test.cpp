@@ -195,6 +195,8 @@ TEST(RenderOptionTable, TextOfOptionsReadsBackAsTheSame) {
         "--detail tessellation --max-tessellation 7 --calm --boxes --draws per-object --core",
         "--calm --hysteresis 1.5 --fade 3", "--masking --lod pixel-error",
         "--capacity 12 --min-pixels 4 --importance 'a mask.png' --settle 5 --view holes",
+        "--mode chc++ --multiquery objects --tight-bounds 2 --requery 3 --query-batch 10 --query-threshold 4",
+        "--mode eye-siding --query-units single --plane-depth 5 --importance mask.png --query-importance 0.5",
         "--hide 'a door,3-7' --only 5 --view levels"}) {
     const RenderOptions options = parsed(text);
     const std::string written = methodOptions(options);

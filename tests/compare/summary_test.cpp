@@ -317,9 +317,27 @@ TEST(SummaryJson, KeysAreStable) {
                                    "triangles_full", "objects", "configurations", "sweep"}));
   EXPECT_EQ(keysOf(summary["frames"]), (Keys{"first", "last", "step", "count", "lead", "kept"}));
   for (const ordered_json& c : summary["configurations"]) {
-    EXPECT_EQ(keysOf(c), (Keys{"name", "options", "frames", "triangles", "triangles_total", "triangles_ratio",
-                               "frame_ms", "frame_ratio", "passes_ms", "draws", "drawn", "culled_frustum",
-                               "culled_occlusion", "lod_histogram_mean", "lost", "error", "popping", "worst_objects"}));
+    EXPECT_EQ(keysOf(c), (Keys{"name",
+                               "options",
+                               "frames",
+                               "triangles",
+                               "triangles_total",
+                               "triangles_ratio",
+                               "frame_ms",
+                               "frame_ratio",
+                               "passes_ms",
+                               "draws",
+                               "drawn",
+                               "visible",
+                               "drawn_per_visible",
+                               "queries",
+                               "culled_frustum",
+                               "culled_occlusion",
+                               "lod_histogram_mean",
+                               "lost",
+                               "error",
+                               "popping",
+                               "worst_objects"}));
     for (const char* spread : {"triangles", "triangles_ratio", "frame_ms", "frame_ratio", "draws", "drawn",
                                "culled_frustum", "culled_occlusion"})
       EXPECT_EQ(keysOf(c[spread]), (Keys{"median", "q1", "q3"})) << spread;

@@ -1,11 +1,9 @@
-// Steps of frustum culling change the tests, never a verdict; and the area of spheres.
+// Steps of frustum culling change the tests, never a verdict.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/random.h"
-#include "culling/detail_measure.h"
 #include "culling/frustum_tree.h"
 #include "scene/camera.h"
 
@@ -89,30 +87,6 @@ TEST(Frustum, PointsOnAPlaneAreInside) {
   EXPECT_TRUE(frustum.holdsPartOf({{2, 0, -2}, {2, 0, -2}}));
   EXPECT_FALSE(frustum.holdsPartOf({{2.1F, 0, -2}, {3, 0, -2}}));
   EXPECT_FALSE(frustum.holdsPartOf({{0, 0, 1}, {0, 0, 2}})) << "behind the eye";
-}
-
-/// Area by counting the rays that hit.
-double countedArea(const glm::dvec3& center, double radius, double focal) {
-  double area = 0.0;
-  const double step = 0.005 * focal;
-  for (int y = -600; y <= 600; ++y) {
-    for (int x = -600; x <= 600; ++x) {
-      const glm::dvec3 ray = glm::normalize(glm::dvec3(x * step, y * step, -focal));
-      const double along = glm::dot(center, ray);
-      const double missed = glm::dot(center, center) - along * along;
-      if (along > 0.0 && missed <= radius * radius) area += step * step;
-    }
-  }
-  return area;
-}
-
-TEST(DetailMeasure, IsTheAreaOfTheSpheresEllipse) {
-  for (const glm::dvec3 center : {glm::dvec3(0, 0, -5), glm::dvec3(3, -2, -4), glm::dvec3(-1, 1, -1.8)})
-    EXPECT_NEAR(sphereArea(center, 1.0, 100.0) / countedArea(center, 1.0, 100.0), 1.0, 0.01);
-  // The estimate pi (r f / d)^2 is .96 of it at five radii.
-  EXPECT_NEAR(std::numbers::pi / 25.0 * 1e4 / sphereArea({0, 0, -5}, 1.0, 100.0), 0.96, 0.005);
-  EXPECT_TRUE(std::isinf(sphereArea({0, 0, -1}, 1.0, 100.0)));
-  EXPECT_TRUE(std::isinf(sphereArea({0, 0, 3}, 1.0, 100.0)));
 }
 
 }  // namespace

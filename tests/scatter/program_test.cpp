@@ -55,6 +55,18 @@ TEST_F(ScatterProgram, WritesSceneAndReport) {
   EXPECT_EQ(report["camera_frames"], 1800);
 }
 
+TEST_F(ScatterProgram, AShareOfTheObjectsMoves) {
+  const Outcome outcome = run("ball.glb --count 200 --moving 0.5 -o scene.glb --json report.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const auto report = nlohmann::json::parse(textOf(folder_ / "report.json"));
+  EXPECT_NEAR(report["moving"].get<double>(), 100.0, 25.0);
+  EXPECT_NE(outcome.output.find(" of them moving"), std::string::npos);
+  const tinygltf::Model model = asset::loadGltf(folder_ / "scene.glb");
+  EXPECT_EQ(model.animations.at(0).channels.size(), report["moving"].get<std::size_t>());
+  EXPECT_EQ(run("ball.glb --count 20 --moving 2 -o none.glb").code, 2);
+  EXPECT_EQ(run("ball.glb --count 20 --moving nan -o none.glb").code, 2);
+}
+
 TEST_F(ScatterProgram, SaysWhatIsLeftOutInOneLineAKind) {
   ASSERT_EQ(run("ball.glb --count 3 -o crowd.glb").code, 0);
   const Outcome outcome = run("crowd.glb --count 2 -o crowds.glb --json report.json");

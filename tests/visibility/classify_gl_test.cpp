@@ -76,6 +76,7 @@ std::set<gpu::uint> plausibleVerdicts(const Bracket& bracket, const gpu::CullVie
       for (const float distanceSign : {-1.0F, 0.0F, 1.0F}) {
         gpu::CullView changed = view;
         changed.minPixels *= 1.0F + sign * kFewUlps;
+        changed.minSpherePixels *= 1.0F + sign * 64.0F * kFewUlps;  // differences of squares lose bits
         changed.occluderDistance += distanceSign * bracket.worldError;
         verdicts.insert(classify(box, changed, weight));
       }
@@ -341,6 +342,7 @@ TEST_F(ClassifyGl, EveryModeAndRuleWithMaskAndThreshold) {
       view.relax = 8.0F;
       compareClassification(scene, view);
       view.minPixels = 60.0F;
+      view.minSpherePixels = 150.0F;
       view.tau = 3.0F;
       compareClassification(scene, view, &mask);
     }

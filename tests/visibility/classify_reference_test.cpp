@@ -243,5 +243,59 @@ TEST(Classify, ContributionThresholdCountsTheRectanglesPixelsTimesImportance) {
   EXPECT_EQ(classify(boxAt({0, 0, 0}, camera), view), gpu::kVerdictNear);
 }
 
+/// Area of a sphere on the screen by counting the rays that hit it.
+double countedArea(const glm::dvec3& center, double radius, double focal) {
+  double area = 0.0;
+  const double step = 0.005 * focal;
+  for (int y = -600; y <= 600; ++y) {
+    for (int x = -600; x <= 600; ++x) {
+      const glm::dvec3 ray = glm::normalize(glm::dvec3(x * step, y * step, -focal));
+      const double along = glm::dot(center, ray);
+      const double missed = glm::dot(center, center) - along * along;
+      if (along > 0.0 && missed <= radius * radius) area += step * step;
+    }
+  }
+  return area;
+}
+
+/// A box whose bounding sphere has a radius of 1.
+Aabb boxInUnitSphere(const glm::vec3& center) {
+  const glm::vec3 half(1.0F / std::sqrt(3.0F));
+  return {center - half, center + half};
+}
+
+TEST(Classify, SphereAreaIsThatOfTheEllipse) {
+  gpu::CullView view{};
+  view.forwardWorld = {0, 0, -1, 0};
+  view.focalPixels = 100.0F;
+  for (const glm::vec3 center : {glm::vec3(0, 0, -5), glm::vec3(3, -2, -4), glm::vec3(-1, 1, -1.8F)})
+    EXPECT_NEAR(sphereArea(view, boxInUnitSphere(center)) / countedArea(center, 1.0, 100.0), 1.0, 0.01);
+  // The estimate pi (r f / d)^2 is .96 of it at five radii, .56 at one and a half.
+  const auto share = [&](float d) {
+    return 3.14159265F * 1e4F / (d * d) / sphereArea(view, boxInUnitSphere({0, 0, -d}));
+  };
+  EXPECT_NEAR(share(5.0F), 0.96F, 0.005F);
+  EXPECT_NEAR(share(1.5F), 0.56F, 0.005F);
+  EXPECT_TRUE(std::isinf(sphereArea(view, boxInUnitSphere({0, 0, -0.9F}))));
+  EXPECT_TRUE(std::isinf(sphereArea(view, boxInUnitSphere({0, 0, 3}))));
+  view.forwardWorld.w = 1.0F;
+  EXPECT_NEAR(sphereArea(view, boxInUnitSphere({0, 0, -9})), 3.14159265F * 1e4F, 1.0F);
+}
+
+TEST(Classify, DetailCullingComparesTheSpheresArea) {
+  const scene::Camera camera = cameraAt({0, 0, 0});
+  gpu::CullView view{};
+  view.traits = traitsOf(CullMode::kFrustum);
+  view.forwardWorld = {0, 0, -1, 0};
+  view.focalPixels = 100.0F;
+  const BoxOnScreen box = boxAt({0, 0, -40}, camera);
+  const float area = sphereArea(view, box.boundsWorld);
+  view.minSpherePixels = 0.99F * area;
+  EXPECT_EQ(classify(box, view), gpu::kVerdictPending);
+  EXPECT_EQ(classify(box, view, 0.5F), gpu::kVerdictSmall);
+  view.minSpherePixels = 1.01F * area;
+  EXPECT_EQ(classify(box, view), gpu::kVerdictSmall);
+}
+
 }  // namespace
 }  // namespace jalousie::visibility

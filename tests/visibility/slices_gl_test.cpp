@@ -133,7 +133,7 @@ TEST_F(SlicesGl, CommandsAndMarksAgreeWithTheTwins) {
     FramePolicy policy{.cullMode = CullMode::kChc, .lodRule = LodRule::kPixelError, .lvMeasure = LvMeasure::kNone};
     if (variant == 1) policy.detail = Detail::kTessellation;
     Kernels kernels(scene, policy);
-    kernels.slices.begin(kernels.buffers.bindings(), kernels.pass.decided(), 7);
+    kernels.slices.begin(kernels.buffers.bindings(), kernels.pass.decided(), {.threshold = 7});
     expectCommands(kernels);
     expectHiding(kernels);
   }

@@ -183,7 +183,13 @@ Side* Document::prepare(int index, const RenderOptions& options) {
   std::unique_ptr<Side>& side = sides_[i];
   if (!scene_) return nullptr;
   const std::string key = fmt::format("{}x{}|{}", options.width, options.height, keyOf(options));
-  if (failedFor_[i] == key) return side.get();
+  const auto ready = [&]() -> Side* {
+    if (side == nullptr) return nullptr;
+    const std::optional<Error> failure = failureOf([&] { side->renderer().prepare(options.frameOptions); }, file_);
+    if (failure) fail(kSide + i, *failure);
+    return failure ? nullptr : side.get();
+  };
+  if (failedFor_[i] == key) return ready();
   const auto attempt = [&](const std::function<void()>& task) {
     const std::optional<Error> failure = failureOf(task, file_);
     if (!failure) return true;
@@ -198,7 +204,7 @@ Side* Document::prepare(int index, const RenderOptions& options) {
     side.reset();
   else if (made)
     forgetFailure(i);
-  return side.get();
+  return ready();
 }
 
 void Document::forgetFailure(std::size_t side) {

@@ -179,6 +179,10 @@ function resultColumns() {
       note: (i) => (configurations[i].frames > 1 && extreme(i) !== mean(i) ? `${sign}\u2009${extreme(i)}` : null),
     };
   };
+  const queries = (head, key) => ({
+    group: 'Occlusion queries', head, better: -1, key: of((c) => c.queries?.[key]?.median),
+    cell: (i) => whole(of((c) => c.queries?.[key]?.median)(i)),
+  });
   const lost = (head, key) => ({
     group: 'Lost', head, better: -1, key: of((c) => c.lost?.[key]), cell: (i) => whole(of((c) => c.lost?.[key])(i)),
   });
@@ -191,6 +195,10 @@ function resultColumns() {
     shareOf(capital(timeName), 'frame_ratio'),
     spread('Drawn', 'commands', 'draws', count),
     spread('Drawn', 'objects', 'drawn', count),
+    spread('Drawn', 'per visible', 'drawn_per_visible', ratio),
+    queries('queries', 'queries'),
+    queries('waits', 'query_waits'),
+    queries('state changes', 'query_switches'),
     error('FLIP', 'flip', 'largest', '\u2264', small, -1),
     error('covered', 'flip_covered', 'largest', '\u2264', small, -1),
     error('PSNR', 'psnr', 'least', '\u2265', decibel, 1),
@@ -245,5 +253,7 @@ function results() {
   if (columns.some((c) => c.group === 'Popping'))
     text.push('Popping: LOD switches per visible object and frame; FLIP of the worst pixel while the camera is frozen; '
       + 'temporal FLIP. \u201cHow it was measured\u201d explains them.');
+  if (columns.some((c) => c.head === 'per visible'))
+    text.push('Per visible: objects drawn over objects with a visible pixel.');
   byId('results').append(tableFigure('Results', text.join(' '), table));
 }

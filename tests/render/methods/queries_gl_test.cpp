@@ -6,6 +6,7 @@
 #include "core/random.h"
 #include "gl/buffer.h"
 #include "render/methods/method_fixture.h"
+#include "visibility/importance_mask.h"
 
 namespace jalousie::render {
 namespace {
@@ -91,6 +92,33 @@ TEST_F(QueriesGl, AThresholdLeavesOutMore) {
     for (int frame = 0; frame < 3; ++frame)
       renderer.render(tolerant, camera_, camera_);
     EXPECT_LT(renderer.readStatistics().drawn, exact) << row.name;
+  }
+}
+
+TEST_F(QueriesGl, SamplesOutsideOfTheImportantRegionDoNotCount) {
+  ImageRgba8 grey{8, 8, std::vector<std::uint8_t>(8 * 8 * 4, 255)};
+  for (std::size_t texel = 0; texel < 64; ++texel)
+    if (texel % 8 < 4) std::fill_n(&grey.pixels[4 * texel], 3, std::uint8_t{20});  // the left half
+  const visibility::ImportanceMask mask(grey);
+  FrameRenderer everything(scene_, kMethodWidth, kMethodHeight);
+  everything.render(options(CullMode::kFull), camera_, camera_);
+  const std::vector<std::uint8_t> expected = everything.readImage().pixels;
+  for (const CullMode mode : queryModes()) {
+    FrameOptions frameOptions = options(mode);
+    FrameRenderer renderer(scene_, kMethodWidth, kMethodHeight, {.importance = &mask});
+    renderer.render(frameOptions, camera_, camera_);
+    const std::uint64_t all = renderer.readStatistics().drawn;
+    frameOptions.queries.importance = 0.5F;
+    for (int frame = 0; frame < 3; ++frame)
+      renderer.render(frameOptions, camera_, camera_);
+    EXPECT_LT(renderer.readStatistics().drawn, all) << rowOf(mode).name;
+    const std::vector<std::uint8_t> pixels = renderer.readImage().pixels;
+    for (std::size_t y = 0; y < kMethodHeight; ++y) {
+      const std::size_t first = 4 * (y * kMethodWidth + kMethodWidth / 2);
+      const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(first);
+      ASSERT_TRUE(std::equal(row, row + 2 * kMethodWidth, expected.begin() + static_cast<std::ptrdiff_t>(first)))
+          << rowOf(mode).name << ": row " << y << " of the important half";
+    }
   }
 }
 

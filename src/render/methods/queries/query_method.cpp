@@ -22,7 +22,7 @@ void QueryMethod::decide(const FrameContext& frame) noexcept {
       schedule_->forget(scene_->queries());
       version_ = scene_->version();
     }
-    scene_->slices().begin(frame.scene.bindings(), frame.visibility.decided(), frame.queryOptions.threshold);
+    scene_->slices().begin(frame.scene.bindings(), frame.visibility.decided(), frame.queryOptions);
   }
   frame.setCullingCamera();
   glEnable(GL_FRAMEBUFFER_SRGB);  // before the clear: it converts the background too
@@ -43,6 +43,7 @@ void QueryMethod::run(const FrameContext& frame) {
   schedule_->run(queryView, frame.queryOptions, queries);
   queries.finish();
   frame.queryFigures = queries.figures();
+  frame.queryFigures.sliceDraws = queries.drawCalls();
   scene_->slices().hide(frame.scene.bindings(), frame.visibility.decided(), queries.drawn());
 }
 
