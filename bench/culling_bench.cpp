@@ -10,6 +10,7 @@
 #include "app/number_option.h"
 #include "asset/scene_file.h"
 #include "core/error.h"
+#include "frustum_steps.h"
 #include "gl_bench.h"
 #include "scene/scene_data.h"
 #include "support/culling.h"
@@ -19,19 +20,22 @@ namespace {
 using namespace jalousie;
 
 struct Mode {
-  const char* name;
+  std::string name;
   CullMode cullMode;
   float cullThreshold;
 
   /// Must not cull a visible pixel; checked.
   bool isConservative() const { return rowOf(cullMode).conservative && cullThreshold == 1.0F; }
 };
-/// The first one is the baseline: frustum culling alone.
-constexpr Mode kModes[] = {
-    {"frustum", CullMode::kFrustum, 1.0F},           {"hom", CullMode::kHom, 1.0F},
-    {"hom, threshold 0.95", CullMode::kHom, 0.95F},  {"hom-depth", CullMode::kHomDepth, 1.0F},
-    {"hom-depth, 0.95", CullMode::kHomDepth, 0.95F}, {"hiz", CullMode::kHiz, 1.0F},
-};
+/// All rows that cull, and those with a map at a lower threshold, too.
+std::vector<Mode> modes() {
+  std::vector<Mode> result;
+  for (const CullModeRow& row : cullModeTable()) {
+    if (row.culls) result.push_back({row.name, row.id, 1.0F});
+    if (row.usesMap) result.push_back({fmt::format("{}, threshold 0.95", row.name), row.id, 0.95F});
+  }
+  return result;
+}
 
 struct Arguments {
   std::string size = "640x360";
@@ -83,7 +87,7 @@ void measureScene(const Arguments& arguments, const std::string& name, nlohmann:
   if (journey.scene.objects.empty()) throw Error(ErrorCode::kUsage, "the scene has no objects", name);
   journey.camera = test::tour(journey.scene, arguments.frames / 4, 7);
   printHead(arguments, journey);
-  for (const Mode& mode : kModes) {
+  for (const Mode& mode : modes()) {
     const test::CullingLoss loss = measure(arguments, journey, mode);
     printRow(arguments, mode, loss);
     figures.push_back({{"scene", name},
@@ -95,6 +99,8 @@ void measureScene(const Arguments& arguments, const std::string& name, nlohmann:
                        {"triangles", loss.triangles},
                        {"triangles_without_culling", loss.referenceTriangles}});
   }
+  const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+  bench::measureFrustumSteps(journey, aspect, arguments.frames, figures);
 }
 
 /// "WxH" with both sides in [1, 8192]. Errors: kUsage.

@@ -146,8 +146,8 @@ std::vector<RenderOption> cullingRows() {
        "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
        [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
       {"--min-sphere-pixels", "smallest sphere", "pixels of area",
-       "Cull objects whose bounding sphere covers fewer pixels (detail culling): unlike the rectangle's, its area does not "
-       "change while an object turns or leaves the picture; 0 turns this off",
+       "Cull objects whose bounding sphere covers fewer pixels (detail culling): unlike the rectangle's, its area does "
+       "not change while an object turns or leaves the picture; 0 turns this off",
        OptionGroup::kCulling,
        NumberValue{[](Options& o) -> float& { return o.frameOptions.minSpherePixels; }, 0.0F, 1e6F},
        "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
@@ -215,7 +215,9 @@ ChoiceValue unitsChoice() {
 std::vector<RenderOption> queryRows() {
   return {
       {"--query-threshold", "query threshold", "samples",
-       "Take a node for hidden if at most so many samples of its box are visible; above 0 visible pixels can be lost",
+       "With " + modesWith(&CullModeRow::countsSamples) +
+           ": take a node for hidden if at most so many samples of its box are visible; above 0 visible pixels can be "
+           "lost",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.threshold; }, 0, 0x7fffffffU},
        modesWith(&CullModeRow::countsSamples), modeHas<&CullModeRow::countsSamples>},
@@ -230,27 +232,40 @@ std::vector<RenderOption> queryRows() {
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.batch; }, 1, 1000},
        modesWith(&CullModeRow::batchesQueries), modeHas<&CullModeRow::batchesQueries>},
+  };
+}
+
+std::vector<RenderOption> queryOrderRows() {
+  return {
       {"--multiquery", "queries for several nodes", "",
-       "Let nodes that were hidden ask together. nodes = while more nodes are saved than queries are risked; objects = "
-       "the same with the objects below the nodes; off = one query a node",
+       "With " + modesWith(&CullModeRow::joinsQueries) +
+           ": let nodes that were hidden ask together. nodes = while more nodes are saved than queries are risked; "
+           "objects = "
+           "the same with the objects below the nodes; off = one query a node",
        OptionGroup::kCulling, multiqueryChoice(), modesWith(&CullModeRow::joinsQueries),
        modeHas<&CullModeRow::joinsQueries>},
       {"--tight-bounds", "tight bounds", "times the surface",
-       "Ask with the boxes of a node's descendants, up to three levels below it, while their surface is at most so many "
-       "times its own; 0 = with its own box",
+       "With " + modesWith(&CullModeRow::joinsQueries) +
+           ": ask with the boxes of a node's descendants, up to three levels below it, while their surface is at "
+           "most so "
+           "many "
+           "times its own; 0 = with its own box",
        OptionGroup::kCulling,
        NumberValue{[](Options& o) -> float& { return o.frameOptions.queries.tightBounds; }, 0.0F, 100.0F},
        modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
       {"--requery", "query interval", "frames",
-       "Take a visible leaf for visible for so many frames before it asks again; 0 = it asks in every frame",
+       "With " + modesWith(&CullModeRow::joinsQueries) +
+           ": take a visible leaf for visible for so many frames before it asks again; 0 = it asks in every frame",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.requery; }, 0, 1000},
        modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
       {"--query-units", "query units", "",
-       "together = grid nodes that cannot hide each other ask together; single = one after the other",
+       "With " + modesWith(&CullModeRow::asksUnits) +
+           ": together = grid nodes that cannot hide each other ask together; single = one after the other",
        OptionGroup::kCulling, unitsChoice(), modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},
       {"--plane-depth", "depth of plane tests", "levels of the grid",
-       "Test nodes down to this depth against the planes of the view; deeper ones by their query alone",
+       "With " + modesWith(&CullModeRow::asksUnits) +
+           ": test nodes down to this depth against the planes of the view; deeper ones by their query alone",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.planeDepth; }, 0, 16},
        modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},
@@ -382,8 +397,8 @@ std::vector<RenderOption> viewRows() {
 
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
-  for (std::vector<RenderOption>& some :
-       std::array{cullingRows(), queryRows(), levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
+  for (std::vector<RenderOption>& some : std::array{cullingRows(), queryRows(), queryOrderRows(), levelRows(),
+                                                    calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;
@@ -450,6 +465,17 @@ void dropInapplicable(RenderOptions& options) {
   }
 }
 
+namespace {
+
+/// "a|b|c"; NAME where a manual page could not break the line, as the help names all.
+std::string typeOf(const ChoiceValue& choice) {
+  constexpr std::size_t kLongest = 64;
+  const std::string names = fmt::format("{}", fmt::join(choice.names, "|"));
+  return names.size() > kLongest ? "NAME" : names;
+}
+
+}  // namespace
+
 void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptions& options) {
   const std::string help = optionHelp(option);
   const auto add = [&]<class Value>(const auto& v, Value /*kind*/) {
@@ -480,7 +506,7 @@ void addToCommandLine(CLI::App& command, const RenderOption& option, RenderOptio
                     },
                     help)
                 ->check(CLI::IsMember(v.names).description(""))
-                ->type_name(fmt::format("{}", fmt::join(v.names, "|")));
+                ->type_name(typeOf(v));
           },
           [&](const NumberValue& v) { return number(add(v, float()), v.least, v.most, "NUMBER"); },
           [&](const MaybeNumberValue& v) { return number(add(v, float()), v.least, v.most, "NUMBER"); },

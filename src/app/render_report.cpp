@@ -89,6 +89,10 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
   if (s.cells > 0) text += fmt::format("  cells     {:>13}   drawn {}\n", grouped(s.cells), grouped(s.cellsDrawn));
+  if (s.queries > 0)
+    text += fmt::format("  queries   {:>13}   waits {}, round trips {}, state changes {}, draw calls {}\n",
+                        grouped(s.queries), grouped(s.queryWaits), grouped(s.queryRoundTrips), grouped(s.querySwitches),
+                        grouped(s.sliceDraws));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
   if (report.points + report.segments > 0)

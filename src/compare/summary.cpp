@@ -426,9 +426,9 @@ std::string summaryText(const ordered_json& summary) {
   const bool judged = std::any_of(configurations.begin(), configurations.end(), isJudged);
   const bool asked = std::any_of(configurations.begin(), configurations.end(), asks);
   std::string text =
-      fmt::format("{:<28} {:>9} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8} {:>8}{}{}\n", "configuration", "lost px",
-                  "triangles", "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches", "drawn/v.",
-                  judged ? " Butteraugli" : "", asked ? "  queries   waits  state ch." : "");
+      fmt::format("{:<28} {:>9} {:>10} {:>7} {:>10} {:>7} {:>8} {:>8} {:>8} {:>13}{}{}\n", "configuration", "lost px",
+                  "triangles", "ratio", "frame ms", "ratio", "FLIP", "PSNR", "switches", "drawn/visible",
+                  judged ? " Butteraugli" : "", asked ? "  queries  round trips  state changes  draw calls" : "");
   for (const ordered_json& c : configurations) {
     const auto median = [&](const char* key) { return c.at(key).at("median").get<double>(); };
     const ordered_json& error = c.at("error");
@@ -440,14 +440,15 @@ std::string summaryText(const ordered_json& summary) {
         shortCount(median("triangles")), median("triangles_ratio"), median("frame_ms"), median("frame_ratio"), flip,
         psnrText(error), orDash(c.at("popping").at("switches_per_visible_object"), "{:.4f}"));
     const ordered_json& perVisible = c.at("drawn_per_visible");
-    text += fmt::format(" {:>8}", perVisible.is_null() ? "-" : orDash(perVisible.at("median"), "{:.2f}"));
+    text += fmt::format(" {:>13}", perVisible.is_null() ? "-" : orDash(perVisible.at("median"), "{:.2f}"));
     if (judged)
       text += fmt::format(" {:>11}", isJudged(c) ? orDash(error.at("butteraugli").at("mean"), "{:.4f}") : "-");
     const auto count = [&](const char* key) {
       return asks(c) ? fmt::format("{:.0f}", c.at("queries").at(key).at("median").get<double>()) : std::string("-");
     };
     if (asked)
-      text += fmt::format(" {:>8} {:>7} {:>10}", count("queries"), count("query_waits"), count("query_switches"));
+      text += fmt::format(" {:>8} {:>12} {:>14} {:>11.0f}", count("queries"), count("query_round_trips"),
+                          count("query_switches"), median("draws"));
     text += "\n";
   }
   return text;

@@ -13,8 +13,8 @@ namespace jalousie::culling {
 /// Place of a node that is not an octant of its parent: the objects that are too large for the parent's children.
 inline constexpr std::uint8_t kOwnObjects = 8;
 
-/// A grid of cubic voxels. An object belongs to the voxel that holds the lower corner of its box and reaches at most one
-/// voxel beyond it; larger objects belong to a node above. The tree halves each axis that is longer than one voxel.
+/// A grid of cubic voxels. An object belongs to the voxel that holds the lower corner of its box and reaches at most
+/// one voxel beyond it; larger objects belong to a node above. The tree halves each axis that is longer than one voxel.
 struct LooseGrid {
   SpatialHierarchy tree;               ///< boxes fit the objects; leaves are voxels, or objects of an inner node
   std::vector<glm::vec3> middleWorld;  ///< [nodes] where an inner node is halved

@@ -5,21 +5,9 @@
 #include <cstdint>
 #include <span>
 
-namespace jalousie::culling {
+#include "culling/query_figures.h"
 
-/// What a frame of queries took.
-struct QueryFigures {
-  std::uint64_t queries = 0;
-  std::uint64_t queryBoxes = 0;       ///< drawn by them
-  std::uint64_t queryWaits = 0;       ///< answers that were waited for: not known from a later query to be there
-  std::uint64_t queryRoundTrips = 0;  ///< of them: for the newest query, so that nothing is left to do meanwhile
-  std::uint64_t querySwitches = 0;    ///< between drawing objects and asking
-  std::uint64_t slices = 0;           ///< ranges of objects drawn
-  std::uint64_t sliceDraws = 0;       ///< draw calls that drew them: what lies side by side is drawn together
-  std::uint64_t nodesVisited = 0;     ///< of the hierarchy
-  std::uint64_t planeTests = 0;       ///< box against plane
-  std::uint64_t decisionNs = 0;       ///< CPU time of the schedule itself, without drawing, asking and waiting
-};
+namespace jalousie::culling {
 
 /// Draws and asks in the order of the calls. Counts what it is told.
 class QueryDevice {
@@ -40,7 +28,7 @@ class QueryDevice {
     newest_ = ++asked_;
     return query;
   }
-  /// Waits for an answer and takes the query back. @param order  how many queries had been asked with this one (asked())
+  /// Waits for an answer and takes the query back. @param order  how many queries had been asked with this one
   std::uint64_t answer(Query query, std::uint64_t order) {
     if (order > finished_) {
       ++figures_.queryWaits;

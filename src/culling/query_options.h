@@ -24,8 +24,8 @@ struct QueryOptions {
   float tightBounds = 1.4F;
   std::uint32_t requery = 7;  ///< frames for which a visible leaf is taken for visible; 0: every leaf asks every frame
   std::uint32_t planeDepth = 3;  ///< nodes above this depth are tested against the view's planes, others by their query
-  /// Samples where the importance mask is below this do not count; above 0 visible pixels can be lost. Without a mask it
-  /// has no effect.
+  /// Samples where the importance mask is below this do not count; above 0 visible pixels can be lost. Without a mask
+  /// it has no effect.
   float importance = 0.0F;
   bool unitsTogether = true;  ///< nodes that cannot hide each other ask together; false: one after the other
 };

@@ -9,8 +9,8 @@
 
 namespace jalousie::culling {
 
-/// Visits units of nodes that cannot hide each other, from the eye outwards; the nodes of a unit ask together. Nodes near
-/// the root are tested against the view's planes, those below by their query alone.
+/// Visits units of nodes that cannot hide each other, from the eye outwards; the nodes of a unit ask together. Nodes
+/// near the root are tested against the view's planes, those below by their query alone.
 class SiblingSchedule : public QuerySchedule {
  public:
   /// @param grid  outlives the schedule

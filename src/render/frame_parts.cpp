@@ -22,20 +22,21 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
   return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
 }
 
-/// The scene, after its buffers and the targets were found to be within the limit. Errors: kLimit.
-const scene::SceneData& withinMemory(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
-                                     const RendererOptions& options) {
+/// What the scene's buffers and the targets need, after it was found to be within the limit. Errors: kLimit.
+MemoryEstimate needsWithinLimit(const scene::SceneData& scene, std::uint32_t width, std::uint32_t height,
+                                const RendererOptions& options) {
   MemoryEstimate needs = bufferNeeds(scene::sizeOf(scene), scene.maxPatchTriangles > 0, options);
   needs.add(targetNeeds(width, height));
   needs.require(options.memory);
-  return scene;
+  return needs;
 }
 
 }  // namespace
 
 FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
                        const RendererOptions& options, const gl::ShaderLibrary& shaders)
-    : scene(withinMemory(sceneData, width, height, options)),
+    : needs(needsWithinLimit(sceneData, width, height, options)),
+      scene(sceneData),
       memory(options.memory),
       capabilities(capabilitiesFor(options)),
       tessellationLimit(render::tessellationLimit(capabilities, scene.maxPatchTriangles)),
@@ -52,7 +53,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
       statistics(shaders),
       draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
-      methods({scene, capabilities, shaders, memory}),
+      methods({scene, capabilities, shaders, memory, needs}),
       context{cullView, drawView, counting, timer, buffers, visibility,   budget,        lists,       early,
               late,     draw,     targets,  map,   pyramid, queryOptions, hasImportance, queryFigures},
       drawing(context, scene, shaders) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/memory_estimate.h"
 #include "gl/capabilities.h"
 #include "gl/pass_timer.h"
 #include "render/frame_drawing.h"
@@ -26,6 +27,7 @@ struct FrameParts {
   FrameParts(const scene::SceneData& sceneData, std::uint32_t width, std::uint32_t height,
              const RendererOptions& options, const gl::ShaderLibrary& shaders);
 
+  MemoryEstimate needs;  ///< buffers and targets
   const scene::SceneData& scene;
   MemoryLimit memory;
   gl::Capabilities capabilities;

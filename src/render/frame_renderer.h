@@ -42,8 +42,8 @@ struct ObjectReadout {
 };
 
 /// Renders frames of one scene at one size: classify, let the mode's method decide, build the draw list, draw, count.
-/// The frame path reads nothing back and allocates nothing, except on the first frame of a debug view or mode that needs
-/// memory of its own, and where the row of the mode says that it reads back (CullModeRow::readsBack).
+/// The frame path reads nothing back and allocates nothing, except on the first frame of a debug view or mode that
+/// needs memory of its own, and where the row of the mode says that it reads back (CullModeRow::readsBack).
 class FrameRenderer {
  public:
   /// Keeps a reference to scene, which must outlive the renderer.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "culling/query_device.h"
+#include "culling/query_figures.h"
 
 namespace jalousie::render {
 

@@ -21,8 +21,8 @@ enum class DeferredDrawing : std::uint8_t {
   kBuffer,       ///< counts in a buffer (GL_QUERY_BUFFER), which a kernel compares
 };
 
-/// Counts samples of boxes, and draws slices. Boxes pass where they are as near as what was drawn, or nearer. They write
-/// nothing, and neither side of them is culled.
+/// Counts samples of boxes, and draws slices. Boxes pass where they are as near as what was drawn, or nearer. They
+/// write nothing, and neither side of them is culled.
 class QueryPass : public culling::QueryDevice {
  public:
   /// Errors: kShader.

@@ -33,11 +33,18 @@ MemoryEstimate needsOf(const scene::SceneData& scene) {
 }  // namespace
 
 QueryScene::QueryScene(const MethodInputs& inputs, QueryTree kind)
-    : scene_(inputs.scene), kind_(kind), memory_(inputs.memory), slices_(inputs.shaders), queries_(inputs.shaders) {}
+    : scene_(inputs.scene),
+      kind_(kind),
+      memory_(inputs.memory),
+      needs_(inputs.needs),
+      slices_(inputs.shaders),
+      queries_(inputs.shaders) {}
 
 void QueryScene::allocate() {
   if (allocated_) return;
-  needsOf(scene_).require(memory_);
+  MemoryEstimate needs = needs_;
+  needs.add(needsOf(scene_));
+  needs.require(memory_);
   boundsWorld_.resize(scene_.objects.size());
   for (std::uint32_t object = 0; object < scene_.objects.size(); ++object)
     boundsWorld_[object] = culling::worldBounds(scene_, object);

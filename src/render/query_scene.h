@@ -41,6 +41,7 @@ class QueryScene {
   const scene::SceneData& scene_;
   QueryTree kind_;
   MemoryLimit memory_;
+  const MemoryEstimate& needs_;
   SlicePass slices_;
   QueryPass queries_;
   bool allocated_ = false;

@@ -179,10 +179,10 @@ function resultColumns() {
       note: (i) => (configurations[i].frames > 1 && extreme(i) !== mean(i) ? `${sign}\u2009${extreme(i)}` : null),
     };
   };
-  const queries = (head, key) => ({
-    group: 'Occlusion queries', head, better: -1, key: of((c) => c.queries?.[key]?.median),
-    cell: (i) => whole(of((c) => c.queries?.[key]?.median)(i)),
-  });
+  const queries = (head, key, format = whole) => {
+    const get = of((c) => c.queries?.[key]?.median);
+    return { group: 'Occlusion queries', head, better: -1, key: get, cell: (i) => (get(i) == null ? '' : format(get(i))) };
+  };
   const lost = (head, key) => ({
     group: 'Lost', head, better: -1, key: of((c) => c.lost?.[key]), cell: (i) => whole(of((c) => c.lost?.[key])(i)),
   });
@@ -198,7 +198,9 @@ function resultColumns() {
     spread('Drawn', 'per visible', 'drawn_per_visible', ratio),
     queries('queries', 'queries'),
     queries('waits', 'query_waits'),
+    queries('round trips', 'query_round_trips'),
     queries('state changes', 'query_switches'),
+    queries('CPU ms', 'query_decision_ns', (ns) => small(ns / 1e6)),
     error('FLIP', 'flip', 'largest', '\u2264', small, -1),
     error('covered', 'flip_covered', 'largest', '\u2264', small, -1),
     error('PSNR', 'psnr', 'least', '\u2265', decibel, 1),
@@ -255,5 +257,8 @@ function results() {
       + 'temporal FLIP. \u201cHow it was measured\u201d explains them.');
   if (columns.some((c) => c.head === 'per visible'))
     text.push('Per visible: objects drawn over objects with a visible pixel.');
+  if (columns.some((c) => c.group === 'Occlusion queries'))
+    text.push('Waits: answers that no later answer had shown to be there. Round trips: waits for the newest query, with '
+      + 'nothing left to do. CPU ms: the decision alone.');
   byId('results').append(tableFigure('Results', text.join(' '), table));
 }

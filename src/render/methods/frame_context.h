@@ -1,7 +1,7 @@
 // What a culling method works with while it decides one frame.
 #pragma once
 
-#include "culling/query_device.h"
+#include "culling/query_figures.h"
 #include "culling/query_options.h"
 #include "gl/pass_timer.h"
 #include "render/draw_pass.h"

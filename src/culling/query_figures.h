@@ -1,0 +1,22 @@
+// What a frame of occlusion queries took.
+#pragma once
+
+#include <cstdint>
+
+namespace jalousie::culling {
+
+/// Counts of one frame.
+struct QueryFigures {
+  std::uint64_t queries = 0;
+  std::uint64_t queryBoxes = 0;       ///< drawn by them
+  std::uint64_t queryWaits = 0;       ///< answers that were waited for: not known from a later query to be there
+  std::uint64_t queryRoundTrips = 0;  ///< of them: for the newest query, so that nothing is left to do meanwhile
+  std::uint64_t querySwitches = 0;    ///< between drawing objects and asking
+  std::uint64_t slices = 0;           ///< ranges of objects drawn
+  std::uint64_t sliceDraws = 0;       ///< draw calls that drew them: what lies side by side is drawn together
+  std::uint64_t nodesVisited = 0;     ///< of the hierarchy
+  std::uint64_t planeTests = 0;       ///< box against plane
+  std::uint64_t decisionNs = 0;       ///< CPU time of the schedule itself, without drawing, asking and waiting
+};
+
+}  // namespace jalousie::culling
