@@ -221,7 +221,7 @@ std::vector<RenderOption> queryRows() {
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.threshold; }, 0, 0x7fffffffU},
        modesWith(&CullModeRow::countsSamples), modeHas<&CullModeRow::countsSamples>},
-      {"--query-importance", "importance of samples", "",
+      {"--query-importance", "importance of samples", "share of white",
        "With --importance, count only the samples of a query where the mask is at least this bright: what shows only "
        "elsewhere is not drawn",
        OptionGroup::kCulling,

@@ -9,8 +9,6 @@
 namespace jalousie::render {
 namespace {
 
-using visibility::ProgramId;
-
 gl::Buffer words(std::size_t count, GLbitfield flags, const char* name) {
   return visibility::makeStorage(count * sizeof(gpu::uint), flags, name);
 }
@@ -49,10 +47,10 @@ SliceOrder makeSliceOrder(const scene::SceneData& scene, const culling::SpatialH
 }
 
 SlicePass::SlicePass(const gl::ShaderLibrary& shaders)
-    : sliceCommands_(visibility::programSource(ProgramId::kSliceCommands), shaders),
-      dropHidden_(visibility::programSource(ProgramId::kDropHidden), shaders),
-      hideObjects_(visibility::programSource(ProgramId::kHideObjects), shaders),
-      hideCells_(visibility::programSource(ProgramId::kHideCells), shaders) {}
+    : sliceCommands_(visibility::programSource(visibility::ProgramId::kSliceCommands), shaders),
+      dropHidden_(visibility::programSource(visibility::ProgramId::kDropHidden), shaders),
+      hideObjects_(visibility::programSource(visibility::ProgramId::kHideObjects), shaders),
+      hideCells_(visibility::programSource(visibility::ProgramId::kHideCells), shaders) {}
 
 void SlicePass::allocate(const scene::SceneData& scene, std::uint32_t nodes) {
   patches_ = scene.maxPatchTriangles > 0;

@@ -11,7 +11,7 @@
 namespace jalousie::culling {
 namespace {
 
-std::vector<Aabb> boxesOf(std::size_t count, std::uint64_t seed) {
+std::vector<Aabb> gridBoxes(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Aabb> boxes;
   for (std::size_t i = 0; i < count; ++i) {
@@ -46,20 +46,20 @@ void expectLaws(const LooseGrid& grid, const std::vector<Aabb>& boxes) {
 
 TEST(LooseGrid, KeepsItsLaws) {
   for (const std::size_t count : {0U, 1U, 2U, 3000U}) {
-    const std::vector<Aabb> boxes = boxesOf(count, count);
+    const std::vector<Aabb> boxes = gridBoxes(count, count);
     expectLaws(buildGrid(boxes), boxes);
   }
   const std::vector<Aabb> onOneSpot(1000, Aabb{glm::vec3(4), glm::vec3(5)});
   expectLaws(buildGrid(onOneSpot), onOneSpot);
   const std::vector<Aabb> points(10, Aabb{glm::vec3(0), glm::vec3(0)});
   expectLaws(buildGrid(points), points);
-  const std::vector<Aabb> many = boxesOf(200'000, 9);
+  const std::vector<Aabb> many = gridBoxes(200'000, 9);
   expectLaws(buildGrid(many, 8.0F), many);
 }
 
 TEST(LooseGrid, ExtremeExtentsStayWithinItsVoxels) {
   constexpr float kMost = std::numeric_limits<float>::max();
-  std::vector<Aabb> boxes = boxesOf(50, 4);
+  std::vector<Aabb> boxes = gridBoxes(50, 4);
   boxes.push_back({glm::vec3(-kMost), glm::vec3(kMost)});
   boxes.push_back({glm::vec3(kMost), glm::vec3(kMost)});
   expectLaws(buildGrid(boxes), boxes);
