@@ -11,11 +11,6 @@ bool isFarther(const auto& a, const auto& b) {
   return b < a;
 }
 
-double areaOf(const Aabb& box) {
-  const glm::dvec3 e = glm::dvec3(box.max) - glm::dvec3(box.min);
-  return 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x);
-}
-
 /// A number that is the same in every run. Fibonacci hashing.
 std::uint32_t hashOf(std::uint32_t node) {
   return static_cast<std::uint32_t>((std::uint64_t{node} + 1) * 11400714819323198485ULL >> 32U);
@@ -81,7 +76,7 @@ void CoherentSchedule::visit(std::uint32_t node) {
 
 void CoherentSchedule::settleOldest() {
   const Asked oldest = asked_[head_++];
-  if (!passes(answerOf(oldest))) return;
+  if (!passed(oldest)) return;
   markVisible(oldest.node, frame_);
   if (!oldest.drawn) drawOrOpen(oldest.node);
 }
@@ -117,7 +112,7 @@ void CoherentPlusSchedule::decide() {
 void CoherentPlusSchedule::takeLastFrame() {
   for (std::size_t i = pending_.size(); i-- > 0;) {
     const Asked& asked = pending_[i];
-    if (!passes(answerOf(asked))) continue;
+    if (!passed(asked)) continue;
     markVisible(asked.node, frame_ - 1);
     history_[asked.node].due = frame_ + options_.requery;
   }
@@ -126,7 +121,7 @@ void CoherentPlusSchedule::takeLastFrame() {
 
 void CoherentPlusSchedule::dropPending() {
   for (const Asked& asked : pending_)
-    answerOf(asked);
+    passed(asked);
   pending_.clear();
 }
 
@@ -191,8 +186,7 @@ void CoherentPlusSchedule::sendGroup(std::size_t first, std::size_t end) {
     members_.push_back(hiddenQueue_[i]);
     addBoxes(hiddenQueue_[i]);
   }
-  group.query = device_->ask(boxes_);
-  group.order = device_->asked();
+  group.ticket = device_->ask(boxes_);
   groups_.push_back(group);
 }
 
@@ -200,13 +194,13 @@ void CoherentPlusSchedule::addBoxes(std::uint32_t node) {
   constexpr int kLevels = 3;
   const std::size_t first = boxes_.size();
   boxes_.push_back(node);
-  const double most = double{options_.tightBounds} * areaOf(tree_.nodes[node].boundsWorld);
+  const double most = double{options_.tightBounds} * surfaceArea(tree_.nodes[node].boundsWorld);
   for (int level = 0; level < kLevels && options_.tightBounds > 0.0F; ++level) {
     finer_.clear();
     double area = 0.0;
     const auto take = [&](std::uint32_t n) {
       finer_.push_back(n);
-      area += areaOf(tree_.nodes[n].boundsWorld);
+      area += surfaceArea(tree_.nodes[n].boundsWorld);
     };
     for (std::size_t i = first; i < boxes_.size(); ++i) {
       const std::uint32_t n = boxes_[i];
@@ -232,7 +226,7 @@ void CoherentPlusSchedule::settleOldestBatch() {
 }
 
 void CoherentPlusSchedule::settle(const Group& group) {
-  const bool visible = passes(device_->answer(group.query, group.order));
+  const bool visible = passed(group.ticket);
   for (std::uint32_t i = group.firstMember; i < group.firstMember + group.memberCount; ++i) {
     const std::uint32_t node = members_[i];
     if (!visible) {
@@ -246,9 +240,7 @@ void CoherentPlusSchedule::settle(const Group& group) {
       members_.push_back(node);
       boxes_.clear();
       addBoxes(node);
-      Group alone{device_->ask(boxes_), 0, static_cast<std::uint32_t>(members_.size() - 1), 1, batches_};
-      alone.order = device_->asked();
-      groups_.push_back(alone);
+      groups_.push_back({device_->ask(boxes_), static_cast<std::uint32_t>(members_.size() - 1), 1, batches_});
     }
   }
 }
@@ -257,9 +249,7 @@ void CoherentPlusSchedule::sendVisible() {
   for (const std::uint32_t node : visibleQueue_) {
     boxes_.clear();
     addBoxes(node);
-    Asked asked{device_->ask(boxes_), 0, node, true};
-    asked.order = device_->asked();
-    pending_.push_back(asked);
+    pending_.push_back({device_->ask(boxes_), node, true});
   }
 }
 

@@ -46,8 +46,7 @@ class CoherentPlusSchedule : public TraversalSchedule {
  private:
   /// A query for one node or several.
   struct Group {
-    QueryDevice::Query query = 0;
-    std::uint64_t order = 0;
+    QueryDevice::Ticket ticket;
     std::uint32_t firstMember = 0;  ///< in members_
     std::uint32_t memberCount = 0;
     std::uint32_t batch = 0;

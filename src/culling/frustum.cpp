@@ -47,12 +47,6 @@ Frustum::Side Frustum::sideOf(const glm::dvec3& centerWorld, double radius, std:
   return distance > reach + rounding ? Side::kInside : Side::kCrosses;
 }
 
-bool Frustum::holdsPartOf(const Aabb& boxWorld) const {
-  for (std::uint32_t plane = 0; plane < kPlanes; ++plane)
-    if (sideOf(boxWorld, plane) == Side::kOutside) return false;
-  return true;
-}
-
 float QueryView::distanceTo(const Aabb& boxWorld) const {
   if (!orthographic) {
     return glm::length(glm::max(glm::max(boxWorld.min - eyeWorld, eyeWorld - boxWorld.max), glm::vec3(0.0F)));

@@ -13,6 +13,14 @@ namespace jalousie::culling {
 inline constexpr std::uint32_t kPlanes = 6;
 inline constexpr std::uint32_t kAllPlanes = (1U << kPlanes) - 1;
 
+/// What a test against some planes found.
+struct PlaneTests {
+  bool outside = false;       ///< of one plane, the last one tested
+  std::uint32_t crossed = 0;  ///< planes that the box crosses, one bit each
+  std::uint32_t tested = 0;   ///< how many
+  std::uint32_t last = 0;     ///< the last one
+};
+
 /// The planes of one view. A point p is inside a plane where dot(normal, p) + offset >= 0.
 class Frustum {
  public:
@@ -27,8 +35,27 @@ class Frustum {
   Side sideOf(const Aabb& boxWorld, std::uint32_t plane) const;
   /// The same for a sphere; kOutside only where every box in the sphere is outside, too.
   Side sideOf(const glm::dvec3& centerWorld, double radius, std::uint32_t plane) const;
+  /// Tests planes one after the other until the box is outside of one.
+  /// @param planes  which, one bit each   @param first  the one to begin with   @param side  Side(std::uint32_t plane)
+  template <class SideOf>
+  static PlaneTests test(std::uint32_t planes, std::uint32_t first, const SideOf& side) {
+    PlaneTests tests;
+    for (std::uint32_t i = 0; i < kPlanes && !tests.outside; ++i) {
+      const std::uint32_t plane = (first + i) % kPlanes;
+      if ((planes >> plane & 1U) == 0) continue;
+      const Side where = side(plane);
+      ++tests.tested;
+      tests.last = plane;
+      tests.outside = where == Side::kOutside;
+      if (where == Side::kCrosses) tests.crossed |= 1U << plane;
+    }
+    return tests;
+  }
+  PlaneTests test(const Aabb& boxWorld, std::uint32_t planes = kAllPlanes) const {
+    return test(planes, 0, [&](std::uint32_t plane) { return sideOf(boxWorld, plane); });
+  }
   /// Whether no plane has the whole box outside: the flat test.
-  bool holdsPartOf(const Aabb& boxWorld) const;
+  bool holdsPartOf(const Aabb& boxWorld) const { return !test(boxWorld).outside; }
 
  private:
   struct Plane {

@@ -21,23 +21,13 @@ Frustum::Side FrustumCuller::side(const Frustum& frustum, const FrustumSteps& st
   return frustum.sideOf(box, plane);
 }
 
-FrustumCuller::Verdict FrustumCuller::test(const Frustum& frustum, const FrustumSteps& steps, const Aabb& box,
-                                           std::uint32_t planes, std::uint8_t& last) {
+PlaneTests FrustumCuller::test(const Frustum& frustum, const FrustumSteps& steps, const Aabb& box, std::uint32_t planes,
+                               std::uint8_t& last) {
   ++cost_.nodes;
-  Verdict verdict;
-  const std::uint32_t first = steps.lastPlane ? last : 0;
-  for (std::uint32_t i = 0; i < kPlanes; ++i) {
-    const std::uint32_t plane = (first + i) % kPlanes;
-    if ((planes >> plane & 1U) == 0) continue;
-    const Frustum::Side where = side(frustum, steps, box, plane);
-    if (where == Frustum::Side::kOutside) {
-      last = static_cast<std::uint8_t>(plane);
-      verdict.outside = true;
-      return verdict;
-    }
-    if (where == Frustum::Side::kCrosses) verdict.planes |= 1U << plane;
-  }
-  return verdict;
+  const PlaneTests tests = Frustum::test(planes, steps.lastPlane ? last : 0,
+                                         [&](std::uint32_t plane) { return side(frustum, steps, box, plane); });
+  if (tests.outside) last = static_cast<std::uint8_t>(tests.last);
+  return tests;
 }
 
 FrustumCost FrustumCuller::cull(const Frustum& frustum, const FrustumSteps& steps, std::vector<std::uint8_t>& inside) {
@@ -55,14 +45,13 @@ FrustumCost FrustumCuller::cull(const Frustum& frustum, const FrustumSteps& step
   while (n < tree_.nodes.size()) {
     const HierarchyNode& node = tree_.nodes[n];
     const std::uint32_t planes = n == 0 || !steps.planeMasks ? kAllPlanes : planesOf_[node.parent];
-    const Verdict verdict = test(frustum, steps, node.boundsWorld, planes, lastOfNode_[n]);
-    if (verdict.outside) {
+    const PlaneTests tests = test(frustum, steps, node.boundsWorld, planes, lastOfNode_[n]);
+    if (tests.outside) {
       n = node.skip;
       continue;
     }
-    planesOf_[n] = verdict.planes;
-    if (tree_.isLeaf(n))
-      testObjects(node.firstObject, node.objectCount, steps.planeMasks ? verdict.planes : kAllPlanes);
+    planesOf_[n] = tests.crossed;
+    if (tree_.isLeaf(n)) testObjects(node.firstObject, node.objectCount, steps.planeMasks ? tests.crossed : kAllPlanes);
     ++n;
   }
   return cost_;

@@ -35,12 +35,8 @@ class FrustumCuller {
   FrustumCost cull(const Frustum& frustum, const FrustumSteps& steps, std::vector<std::uint8_t>& inside);
 
  private:
-  struct Verdict {
-    bool outside = false;
-    std::uint32_t planes = 0;  ///< that the box crosses
-  };
-  Verdict test(const Frustum& frustum, const FrustumSteps& steps, const Aabb& box, std::uint32_t planes,
-               std::uint8_t& last);
+  PlaneTests test(const Frustum& frustum, const FrustumSteps& steps, const Aabb& box, std::uint32_t planes,
+                  std::uint8_t& last);
   Frustum::Side side(const Frustum& frustum, const FrustumSteps& steps, const Aabb& box, std::uint32_t plane);
 
   const SpatialHierarchy& tree_;

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <numeric>
 #include <optional>
 
 #include "core/check.h"
+#include "culling/hierarchy_build.h"
 
 namespace jalousie::culling {
 namespace {
@@ -19,11 +19,6 @@ constexpr std::uint32_t kSahDepth = 32;  ///< below this depth, ranges are halve
 /// Center of a box, in double precision: sums and areas of any boxes of floats are finite.
 glm::dvec3 centerOf(const Aabb& box) {
   return 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
-}
-
-double surfaceArea(const Aabb& box) {
-  const glm::dvec3 e = glm::dvec3(box.max) - glm::dvec3(box.min);
-  return 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x);
 }
 
 struct Bin {
@@ -68,39 +63,25 @@ class Builder {
   Builder(std::span<const Aabb> boxes, const HierarchyOptions& options) : boxes_(boxes), options_(options) {}
 
   SpatialHierarchy build() {
-    result_.objects.resize(boxes_.size());
-    std::iota(result_.objects.begin(), result_.objects.end(), 0U);
+    result_ = emptyHierarchy(boxes_);
     std::vector<Range> stack;
     if (!boxes_.empty()) stack.push_back({0, static_cast<std::uint32_t>(boxes_.size()), kNoParent, 0});
     while (!stack.empty()) {
       const Range range = stack.back();
       stack.pop_back();
-      const std::uint32_t node = addNode(range);
+      const std::uint32_t node = appendNode(result_, boxes_, range.parent, objectsOf(range));
       if (range.count <= options_.maxLeafObjects) continue;
       const std::uint32_t left = split(range);
       stack.push_back({range.first + left, range.count - left, node, range.depth + 1});
       stack.push_back({range.first, left, node, range.depth + 1});  // on top: the left child is the next node
     }
-    linkSkips();
-    for (const std::uint32_t object : result_.objects)
-      result_.objectBounds.push_back(boxes_[object]);
+    finishHierarchy(result_, boxes_);
     return std::move(result_);
   }
 
  private:
   std::span<std::uint32_t> objectsOf(const Range& range) {
     return std::span(result_.objects).subspan(range.first, range.count);
-  }
-
-  std::uint32_t addNode(const Range& range) {
-    HierarchyNode node;
-    node.parent = range.parent;
-    node.firstObject = range.first;
-    node.objectCount = range.count;
-    for (const std::uint32_t object : objectsOf(range))
-      node.boundsWorld.add(boxes_[object]);
-    result_.nodes.push_back(node);
-    return static_cast<std::uint32_t>(result_.nodes.size() - 1);
   }
 
   /// Reorders a range into the objects of its left and of its right child. Returns the number of the left ones.
@@ -170,16 +151,6 @@ class Builder {
     return side.count == 0 ? std::numeric_limits<double>::infinity() : surfaceArea(side.bounds) * side.count;
   }
 
-  /// A subtree ends where the next node's parent lies above it: going backwards, a leaf skips to its successor and an
-  /// inner node to where its right child skips to.
-  void linkSkips() {
-    std::vector<HierarchyNode>& nodes = result_.nodes;
-    for (std::uint32_t n = 0; n < nodes.size(); ++n)
-      nodes[n].skip = n + 1;
-    for (auto n = static_cast<std::uint32_t>(nodes.size()); n-- > 1;)
-      nodes[nodes[n].parent].skip = std::max(nodes[nodes[n].parent].skip, nodes[n].skip);
-  }
-
   std::span<const Aabb> boxes_;
   HierarchyOptions options_;
   SpatialHierarchy result_;
@@ -189,18 +160,26 @@ class Builder {
 
 SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options) {
   JAL_CHECK(options.maxLeafObjects >= 1U);
-  JAL_CHECK(boundsWorld.size() < kNoParent / 2);  // a binary tree has fewer than two nodes per object
-  for (const Aabb& box : boundsWorld)
-    JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
+  requireBoxes(boundsWorld);
   return Builder(boundsWorld, options).build();
 }
 
 SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOptions& options) {
+  return buildHierarchy(worldBounds(scene.objects, scene.chains, scene.transforms), options);
+}
+
+std::vector<Aabb> worldBounds(std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
+                              std::span<const gpu::Transform> transforms) {
   std::vector<Aabb> boxes;
-  boxes.reserve(scene.objects.size());
-  for (std::uint32_t object = 0; object < scene.objects.size(); ++object)
-    boxes.push_back(worldBounds(scene, object));
-  return buildHierarchy(boxes, options);
+  boxes.reserve(objects.size());
+  for (const gpu::Object& object : objects)
+    boxes.push_back(worldBounds(chains[object.chain], transforms[object.transform]));
+  return boxes;
+}
+
+double surfaceArea(const Aabb& box) {
+  const glm::dvec3 e = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x);
 }
 
 double costOf(const SpatialHierarchy& hierarchy) {
@@ -216,11 +195,9 @@ double costOf(const SpatialHierarchy& hierarchy) {
 
 void refit(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld) {
   JAL_CHECK(boundsWorld.size() == hierarchy.objects.size());
-  for (std::size_t i = 0; i < hierarchy.objects.size(); ++i) {
-    const Aabb& box = boundsWorld[hierarchy.objects[i]];
-    JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
-    hierarchy.objectBounds[i] = box;
-  }
+  requireBoxes(boundsWorld);
+  for (std::size_t i = 0; i < hierarchy.objects.size(); ++i)
+    hierarchy.objectBounds[i] = boundsWorld[hierarchy.objects[i]];
   // Children stand behind their parents.
   for (auto n = static_cast<std::uint32_t>(hierarchy.nodes.size()); n-- > 0;) {
     HierarchyNode& node = hierarchy.nodes[n];

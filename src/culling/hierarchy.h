@@ -53,6 +53,9 @@ SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOp
 /// keeps small, and that grows as objects move away from where they were when it was built.
 double costOf(const SpatialHierarchy& hierarchy);
 
+/// In double precision: areas of any boxes of floats are finite.
+double surfaceArea(const Aabb& box);
+
 /// Fits all boxes to objects that moved; the tree stays as it is. O(nodes), allocates nothing.
 /// @param boundsWorld  [objects.size()] by object, min <= max, no NaN (checked)
 void refit(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld);
@@ -77,6 +80,9 @@ class MovingHierarchy {
 /// product of an extreme transform and an extreme box may have, widens the box to the whole range on its axis.
 Aabb worldBounds(const gpu::Chain& chain, const gpu::Transform& transform);
 Aabb worldBounds(const scene::SceneData& scene, std::uint32_t object);
+/// Of all objects. @param chains, transforms  by the indices of the objects
+std::vector<Aabb> worldBounds(std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
+                              std::span<const gpu::Transform> transforms);
 
 /// Calls visit(object index) for each object whose box passes the test, in the order of `objects`, and leaves out all
 /// nodes whose box fails it. Needs no stack.

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/check.h"
+#include "culling/hierarchy_build.h"
 
 namespace jalousie::culling {
 namespace {
@@ -49,9 +49,7 @@ class GridBuilder {
 
   LooseGrid build() {
     result_.voxelSide = static_cast<float>(side_);
-    SpatialHierarchy& tree = result_.tree;
-    tree.objects.resize(boxes_.size());
-    std::iota(tree.objects.begin(), tree.objects.end(), 0U);
+    result_.tree = emptyHierarchy(boxes_);
     std::vector<Cell> stack;
     if (!boxes_.empty())
       stack.push_back({.count = static_cast<std::uint32_t>(boxes_.size()), .low = glm::ivec3(0), .end = voxels_});
@@ -61,22 +59,16 @@ class GridBuilder {
       const std::uint32_t node = addNode(cell);
       if (!cell.leaf && cell.count > 1) split(cell, node, stack);
     }
-    finish();
+    finishHierarchy(result_.tree, boxes_);
     return std::move(result_);
   }
 
  private:
   std::uint32_t addNode(const Cell& cell) {
-    HierarchyNode node;
-    node.parent = cell.parent;
-    node.firstObject = cell.first;
-    node.objectCount = cell.count;
-    for (std::uint32_t i = cell.first; i < cell.first + cell.count; ++i)
-      node.boundsWorld.add(boxes_[result_.tree.objects[i]]);
-    result_.tree.nodes.push_back(node);
     result_.octant.push_back(cell.octant);
     result_.middleWorld.emplace_back(origin_ + side_ * glm::dvec3(middleOf(cell)));
-    return static_cast<std::uint32_t>(result_.tree.nodes.size() - 1);
+    const std::span<const std::uint32_t> objects = result_.tree.objects;
+    return appendNode(result_.tree, boxes_, cell.parent, objects.subspan(cell.first, cell.count));
   }
 
   static glm::ivec3 middleOf(const Cell& cell) { return (cell.low + cell.end + 1) / 2; }
@@ -131,16 +123,6 @@ class GridBuilder {
     return child;
   }
 
-  void finish() {
-    std::vector<HierarchyNode>& nodes = result_.tree.nodes;
-    for (std::uint32_t n = 0; n < nodes.size(); ++n)
-      nodes[n].skip = n + 1;
-    for (auto n = static_cast<std::uint32_t>(nodes.size()); n-- > 1;)
-      nodes[nodes[n].parent].skip = std::max(nodes[nodes[n].parent].skip, nodes[n].skip);
-    for (const std::uint32_t object : result_.tree.objects)
-      result_.tree.objectBounds.push_back(boxes_[object]);
-  }
-
   std::span<const Aabb> boxes_;
   glm::dvec3 origin_{0.0};
   double side_ = 1.0;
@@ -152,9 +134,7 @@ class GridBuilder {
 
 LooseGrid buildGrid(std::span<const Aabb> boundsWorld, float voxelSize) {
   JAL_CHECK(voxelSize > 0.0F);
-  JAL_CHECK(boundsWorld.size() < kNoParent / 2);
-  for (const Aabb& box : boundsWorld)
-    JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
+  requireBoxes(boundsWorld);
   return GridBuilder(boundsWorld, voxelSize).build();
 }
 

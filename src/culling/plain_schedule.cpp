@@ -7,7 +7,7 @@ namespace jalousie::culling {
 
 void WaitSchedule::decide() {
   for (const Place& place : leavesInView())
-    if (reachesNear(place.node) || passes(answerOf(ask(place.node)))) drawLeaf(place.node);
+    if (reachesNear(place.node) || passed(ask(place.node))) drawLeaf(place.node);
 }
 
 void BatchSchedule::decide() {
@@ -24,13 +24,9 @@ void BatchSchedule::decide() {
   settle();
 }
 
-/// The last answer comes first: when it is there, all others are.
 void BatchSchedule::settle() {
-  visible_.assign(asked_.size(), false);
-  for (std::size_t i = asked_.size(); i-- > 0;)
-    visible_[i] = passes(answerOf(asked_[i]));
-  for (std::size_t i = 0; i < asked_.size(); ++i)
-    if (visible_[i]) drawLeaf(asked_[i].node);
+  for (const std::uint32_t leaf : passedOf(asked_))
+    drawLeaf(leaf);
   asked_.clear();
 }
 
@@ -47,7 +43,7 @@ void DeferredSchedule::decide() {
       continue;
     }
     const HierarchyNode& leaf = tree_.nodes[place.node];
-    batch_.push_back({ask(place.node).query, leaf.firstObject, leaf.objectCount});
+    batch_.push_back({ask(place.node).ticket.query, leaf.firstObject, leaf.objectCount});
     if (batch_.size() == most) send();
   }
   send();
@@ -75,7 +71,7 @@ void CoherentFlatSchedule::decide() {
 
 void CoherentFlatSchedule::settleOldest() {
   const Asked& oldest = asked_[head_++];
-  if (!passes(answerOf(oldest))) return;
+  if (!passed(oldest)) return;
   history_[oldest.node].visible = frame_;
   if (!oldest.drawn) drawLeaf(oldest.node);
 }

@@ -26,7 +26,6 @@ class BatchSchedule : public QuerySchedule {
   void settle();
 
   std::vector<Asked> asked_;
-  std::vector<bool> visible_;
 };
 
 /// The same, but answers never reach the CPU: the device leaves out itself what was hidden.

@@ -13,30 +13,33 @@ namespace jalousie::culling {
 class QueryDevice {
  public:
   using Query = std::uint32_t;
+  /// A query that is out.
+  struct Ticket {
+    Query query = 0;
+    std::uint64_t order = 0;  ///< how many queries had been asked with this one
+  };
 
   virtual ~QueryDevice() = default;
 
   /// Starts a query: how many samples of these nodes' boxes pass the depth test against what is drawn so far, boxes
   /// grown by queryGrowth. Several boxes may count a sample more than once. @pre at most capacity() queries unanswered
-  Query ask(std::span<const std::uint32_t> nodes) {
+  Ticket ask(std::span<const std::uint32_t> nodes) {
     if (asking_ != 1) ++figures_.querySwitches;
     asking_ = 1;
     ++figures_.queries;
     figures_.queryBoxes += nodes.size();
     const Stopwatch watch(*this);
-    const Query query = startQuery(nodes);
-    newest_ = ++asked_;
-    return query;
+    return {startQuery(nodes), ++asked_};
   }
-  /// Waits for an answer and takes the query back. @param order  how many queries had been asked with this one
-  std::uint64_t answer(Query query, std::uint64_t order) {
-    if (order > finished_) {
+  /// Waits for an answer and takes the query back.
+  std::uint64_t answer(const Ticket& ticket) {
+    if (ticket.order > finished_) {
       ++figures_.queryWaits;
-      if (order == newest_) ++figures_.queryRoundTrips;
-      finished_ = order;
+      if (ticket.order == asked_) ++figures_.queryRoundTrips;
+      finished_ = ticket.order;
     }
     const Stopwatch watch(*this);
-    return takeAnswer(query);
+    return takeAnswer(ticket.query);
   }
   /// Draws the objects at these places of the hierarchy's order.
   void draw(std::uint32_t first, std::uint32_t count) {
@@ -60,8 +63,6 @@ class QueryDevice {
     const Stopwatch watch(*this);
     drawConditionally(ranges);
   }
-  /// Queries asked since the device was made.
-  std::uint64_t asked() const { return asked_; }
   /// Most queries that may be unanswered at a time.
   virtual std::uint32_t capacity() const = 0;
 
@@ -91,8 +92,7 @@ class QueryDevice {
 
   QueryFigures figures_;
   std::chrono::nanoseconds inside_{0};
-  std::uint64_t asked_ = 0;
-  std::uint64_t newest_ = 0;
+  std::uint64_t asked_ = 0;  ///< since the device was made
   std::uint64_t finished_ = 0;
   int asking_ = 0;
 };

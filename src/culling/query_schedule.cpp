@@ -42,16 +42,11 @@ bool QuerySchedule::inView(std::uint32_t node) {
   const HierarchyNode& n = tree_.nodes[node];
   const bool known = n.parent != kNoParent && planesFrame_[n.parent] == frame_;
   const std::uint32_t planes = known ? planesOf_[n.parent] : kAllPlanes;
+  const PlaneTests tests = view_->frustum.test(n.boundsWorld, planes);
+  device_->figures().planeTests += tests.tested;
   planesFrame_[node] = frame_;
-  planesOf_[node] = 0;
-  for (std::uint32_t plane = 0; plane < kPlanes; ++plane) {
-    if ((planes >> plane & 1U) == 0) continue;
-    ++device_->figures().planeTests;
-    const Frustum::Side side = view_->frustum.sideOf(n.boundsWorld, plane);
-    if (side == Frustum::Side::kOutside) return false;
-    if (side == Frustum::Side::kCrosses) planesOf_[node] |= 1U << plane;
-  }
-  return true;
+  planesOf_[node] = tests.crossed;
+  return !tests.outside;
 }
 
 bool QuerySchedule::wasVisible(std::uint32_t node) const {
@@ -70,9 +65,13 @@ void QuerySchedule::drawLeaf(std::uint32_t leaf) {
   device_->draw(tree_.nodes[leaf].firstObject, tree_.nodes[leaf].objectCount);
 }
 
-QuerySchedule::Asked QuerySchedule::ask(std::uint32_t node, bool drawn) {
-  const QueryDevice::Query query = device_->ask({&node, 1});
-  return {query, device_->asked(), node, drawn};
+/// The last answer comes first: when it is there, all others are.
+const std::vector<std::uint32_t>& QuerySchedule::passedOf(std::span<const Asked> asked) {
+  passed_.clear();
+  for (std::size_t i = asked.size(); i-- > 0;)
+    if (passed(asked[i])) passed_.push_back(asked[i].node);
+  std::reverse(passed_.begin(), passed_.end());
+  return passed_;
 }
 
 const std::vector<QuerySchedule::Place>& QuerySchedule::leavesInView() {

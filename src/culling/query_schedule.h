@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "culling/frustum.h"
@@ -46,8 +47,7 @@ class QuerySchedule {
   };
   /// A query that is out.
   struct Asked {
-    QueryDevice::Query query = 0;
-    std::uint64_t order = 0;  ///< QueryDevice::asked() after it
+    QueryDevice::Ticket ticket;
     std::uint32_t node = 0;
     bool drawn = false;  ///< the node was taken for visible meanwhile
   };
@@ -66,9 +66,12 @@ class QuerySchedule {
   void markVisible(std::uint32_t node, std::uint64_t frame);
   void forgetNode(std::uint32_t node) { history_[node] = {}; }
   void drawLeaf(std::uint32_t leaf);
-  Asked ask(std::uint32_t node, bool drawn = false);
-  std::uint64_t answerOf(const Asked& asked) { return device_->answer(asked.query, asked.order); }
-  bool passes(std::uint64_t samples) const { return samples > options_.threshold; }
+  Asked ask(std::uint32_t node, bool drawn = false) { return {device_->ask({&node, 1}), node, drawn}; }
+  /// Waits for an answer. @return  whether enough samples passed
+  bool passed(const QueryDevice::Ticket& ticket) { return device_->answer(ticket) > options_.threshold; }
+  bool passed(const Asked& asked) { return passed(asked.ticket); }
+  /// The nodes of some queries that passed, in their order. Waits once: for the last one.
+  const std::vector<std::uint32_t>& passedOf(std::span<const Asked> asked);
   /// All leaves in view, front to back.
   const std::vector<Place>& leavesInView();
   Place placeOf(std::uint32_t node) const { return {view_->distanceTo(tree_.nodes[node].boundsWorld), node}; }
@@ -84,6 +87,7 @@ class QuerySchedule {
   std::vector<std::uint32_t> planesOf_;     ///< [nodes] that a node crosses
   std::vector<std::uint64_t> planesFrame_;  ///< [nodes] frame of planesOf_
   std::vector<Place> leaves_;
+  std::vector<std::uint32_t> passed_;
 };
 
 }  // namespace jalousie::culling

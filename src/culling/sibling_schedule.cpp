@@ -11,7 +11,6 @@ constexpr std::uint32_t kMostLevels = 16;
 }  // namespace
 
 void SiblingSchedule::decide() {
-  if (history_.size() != tree_.nodes.size()) resizeHistory();
   levels_.resize(kMostLevels);
   visible_.resize(kMostLevels);
   levels_[0][0].assign(1, 0);
@@ -51,11 +50,8 @@ void SiblingSchedule::askAll(const Unit& nodes, Unit& visible) {
     asked_.clear();
     for (std::size_t i = first; i < end; ++i)
       asked_.push_back(ask(nodes[i]));
-    passed_.assign(asked_.size(), 0);
-    for (std::size_t i = asked_.size(); i-- > 0;)
-      passed_[i] = passes(answerOf(asked_[i])) ? 1 : 0;
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      if (passed_[i] != 0) visible.push_back(asked_[i].node);
+    const std::vector<std::uint32_t>& found = passedOf(asked_);
+    visible.insert(visible.end(), found.begin(), found.end());
   }
 }
 

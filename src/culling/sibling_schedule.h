@@ -30,7 +30,6 @@ class SiblingSchedule : public QuerySchedule {
   std::vector<Level> levels_;  ///< [depth]
   std::vector<Unit> visible_;  ///< [depth]
   std::vector<Asked> asked_;
-  std::vector<std::uint8_t> passed_;
   Unit asking_;
 };
 
