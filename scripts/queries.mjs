@@ -35,7 +35,7 @@ function section([folder, title]) {
   const hiz = summary.configurations.find((c) => c.name === 'hiz');
   const rows = [HEAD, HEAD.map(() => '---'), ...summary.configurations.map((c) => row(c, hiz))];
   const frames = `${summary.frames.count} frames, ${whole(summary.objects)} objects, ${summary.width}x${summary.height}`;
-  return `**${title}** (${frames}, ${summary.renderer})\n\n${rows.map((r) => `| ${r.join(' | ')} |`).join('\n')}\n`;
+  return `### ${title}\n\n${frames}, ${summary.renderer}.\n\n${rows.map((r) => `| ${r.join(' | ')} |`).join('\n')}\n`;
 }
 
 const [before, rest] = readFileSync(page, 'utf8').split('<!-- table -->\n');

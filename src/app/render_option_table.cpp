@@ -21,8 +21,13 @@ using Options = RenderOptions;
 /// A bound that says nothing to people.
 constexpr double kEndless = 1e6;
 
-bool drawsMap(const Options& o) {
-  return rowOf(o.frameOptions.cullMode).usesMap;
+std::string modesWith(bool CullModeRow::*property) {
+  return "--mode " + policy::namesWith(cullModeTable(), property);
+}
+/// RenderOption::applies: the mode has a property.
+template <bool CullModeRow::*kProperty>
+bool modeHas(const Options& o) {
+  return rowOf(o.frameOptions.cullMode).*kProperty;
 }
 bool followsError(const Options& o) {
   return rowOf(o.frameOptions.lodRule).followsError;
@@ -45,9 +50,6 @@ bool canMask(const Options& o) {
   return masksErrors(policy);
 }
 
-std::string modesWithMap() {
-  return "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::usesMap);
-}
 std::string rulesWithError() {
   return "--lod " + policy::namesWith(lodRuleTable(), &LodRuleRow::followsError);
 }
@@ -143,15 +145,13 @@ std::vector<RenderOption> cullingRows() {
       {"--min-pixels", "smallest rectangle", "pixels of area",
        "Cull objects whose bounding rectangle covers fewer pixels (contribution culling); 0 turns this off",
        OptionGroup::kCulling, NumberValue{[](Options& o) -> float& { return o.frameOptions.minPixels; }, 0.0F, 1e6F},
-       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
-       [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
+       modesWith(&CullModeRow::culls), modeHas<&CullModeRow::culls>},
       {"--min-sphere-pixels", "smallest sphere", "pixels of area",
        "Cull objects whose bounding sphere covers fewer pixels (detail culling): unlike the rectangle's, its area does "
        "not change while an object turns or leaves the picture; 0 turns this off",
        OptionGroup::kCulling,
        NumberValue{[](Options& o) -> float& { return o.frameOptions.minSpherePixels; }, 0.0F, 1e6F},
-       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::culls),
-       [](const Options& o) { return rowOf(o.frameOptions.cullMode).culls; }},
+       modesWith(&CullModeRow::culls), modeHas<&CullModeRow::culls>},
       {"--cells", "cells", "",
        "Divide large objects into cells of at most so many triangles, which are culled one by one; the image is the "
        "same, but for --triangles, a full list (--capacity), a frozen camera and views that show cells. auto = the "
@@ -171,24 +171,21 @@ std::vector<RenderOption> cullingRows() {
        OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderDistance; }, 0.0F,
                         1e30F},
-       modesWithMap(), drawsMap},
+       modesWith(&CullModeRow::usesMap), modeHas<&CullModeRow::usesMap>},
       {"--occluder-tau", "occluder error", "pixels", occluderTauHelp(), OptionGroup::kCulling,
        MaybeNumberValue{[](Options& o) -> std::optional<float>& { return o.frameOptions.occluderTau; }, 0.0F, 1000.0F},
-       modesWithMap(), drawsMap},
+       modesWith(&CullModeRow::usesMap), modeHas<&CullModeRow::usesMap>},
       {"--cull-threshold", "cull threshold", "opacity",
        "Treat texels of the map as occluding from this opacity on; below 1 visible pixels can be lost",
        OptionGroup::kCulling,
-       NumberValue{[](Options& o) -> float& { return o.frameOptions.cullThreshold; }, 0.01F, 1.0F}, modesWithMap(),
-       drawsMap},
+       NumberValue{[](Options& o) -> float& { return o.frameOptions.cullThreshold; }, 0.01F, 1.0F},
+       modesWith(&CullModeRow::usesMap), modeHas<&CullModeRow::usesMap>},
   };
 }
 
-std::string modesWith(bool CullModeRow::*property) {
-  return "--mode " + policy::namesWith(cullModeTable(), property);
-}
-template <bool CullModeRow::*kProperty>
-bool modeHas(const Options& o) {
-  return rowOf(o.frameOptions.cullMode).*kProperty;
+/// Begins the help of an option that belongs to some modes.
+std::string onlyWith(bool CullModeRow::*property) {
+  return "With " + modesWith(property) + ": ";
 }
 
 ChoiceValue multiqueryChoice() {
@@ -215,8 +212,8 @@ ChoiceValue unitsChoice() {
 std::vector<RenderOption> queryRows() {
   return {
       {"--query-threshold", "query threshold", "samples",
-       "With " + modesWith(&CullModeRow::countsSamples) +
-           ": take a node for hidden if at most so many samples of its box are visible; above 0 visible pixels can be "
+       onlyWith(&CullModeRow::countsSamples) +
+           "take a node for hidden if at most so many samples of its box are visible; above 0 visible pixels can be "
            "lost",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.threshold; }, 0, 0x7fffffffU},
@@ -228,7 +225,8 @@ std::vector<RenderOption> queryRows() {
        NumberValue{[](Options& o) -> float& { return o.frameOptions.queries.importance; }, 0.0F, 1.0F},
        "--importance and " + modesWith(&CullModeRow::asksQueries),
        [](const Options& o) { return !o.importance.empty() && modeHas<&CullModeRow::asksQueries>(o); }},
-      {"--query-batch", "query batch", "queries", "Send so many occlusion queries before an answer is waited for",
+      {"--query-batch", "query batch", "queries",
+       onlyWith(&CullModeRow::batchesQueries) + "send so many occlusion queries before an answer is waited for",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.batch; }, 1, 1000},
        modesWith(&CullModeRow::batchesQueries), modeHas<&CullModeRow::batchesQueries>},
@@ -238,15 +236,15 @@ std::vector<RenderOption> queryRows() {
 std::vector<RenderOption> queryOrderRows() {
   return {
       {"--multiquery", "queries for several nodes", "",
-       "With " + modesWith(&CullModeRow::joinsQueries) +
-           ": let nodes that were hidden ask together. nodes = while more nodes are saved than queries are risked; "
+       onlyWith(&CullModeRow::joinsQueries) +
+           "let nodes that were hidden ask together. nodes = while more nodes are saved than queries are risked; "
            "objects = "
            "the same with the objects below the nodes; off = one query a node",
        OptionGroup::kCulling, multiqueryChoice(), modesWith(&CullModeRow::joinsQueries),
        modeHas<&CullModeRow::joinsQueries>},
       {"--tight-bounds", "tight bounds", "times the surface",
-       "With " + modesWith(&CullModeRow::joinsQueries) +
-           ": ask with the boxes of a node's descendants, up to three levels below it, while their surface is at "
+       onlyWith(&CullModeRow::joinsQueries) +
+           "ask with the boxes of a node's descendants, up to three levels below it, while their surface is at "
            "most so "
            "many "
            "times its own; 0 = with its own box",
@@ -254,18 +252,18 @@ std::vector<RenderOption> queryOrderRows() {
        NumberValue{[](Options& o) -> float& { return o.frameOptions.queries.tightBounds; }, 0.0F, 100.0F},
        modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
       {"--requery", "query interval", "frames",
-       "With " + modesWith(&CullModeRow::joinsQueries) +
-           ": take a visible leaf for visible for so many frames before it asks again; 0 = it asks in every frame",
+       onlyWith(&CullModeRow::joinsQueries) +
+           "take a visible leaf for visible for so many frames before it asks again; 0 = it asks in every frame",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.requery; }, 0, 1000},
        modesWith(&CullModeRow::joinsQueries), modeHas<&CullModeRow::joinsQueries>},
       {"--query-units", "query units", "",
-       "With " + modesWith(&CullModeRow::asksUnits) +
-           ": together = grid nodes that cannot hide each other ask together; single = one after the other",
+       onlyWith(&CullModeRow::asksUnits) +
+           "together = grid nodes that cannot hide each other ask together; single = one after the other",
        OptionGroup::kCulling, unitsChoice(), modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},
       {"--plane-depth", "depth of plane tests", "levels of the grid",
-       "With " + modesWith(&CullModeRow::asksUnits) +
-           ": test nodes down to this depth against the planes of the view; deeper ones by their query alone",
+       onlyWith(&CullModeRow::asksUnits) +
+           "test nodes down to this depth against the planes of the view; deeper ones by their query alone",
        OptionGroup::kCulling,
        CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.queries.planeDepth; }, 0, 16},
        modesWith(&CullModeRow::asksUnits), modeHas<&CullModeRow::asksUnits>},

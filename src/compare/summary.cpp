@@ -107,9 +107,10 @@ ordered_json queriesJson(const std::vector<const Sample*>& samples) {
       std::any_of(samples.begin(), samples.end(), [](const Sample* s) { return s->statistics.queries > 0; });
   if (!asks) return nullptr;
   ordered_json json;
-  for (const char* key : kQueryCounts)
-    json[key] =
-        toJson(spreadOf(valuesOf(samples, [&](const Sample& s) { return s.statistics.*statisticsField(key).value; })));
+  for (const char* key : kQueryCounts) {
+    const auto value = statisticsField(key).value;
+    json[key] = toJson(spreadOf(valuesOf(samples, [&](const Sample& s) { return s.statistics.*value; })));
+  }
   return json;
 }
 

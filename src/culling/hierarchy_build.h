@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "culling/hierarchy.h"
+#include "culling/spatial_hierarchy.h"
 
 namespace jalousie::culling {
 

@@ -56,16 +56,15 @@ void DrawPass::draw(DrawKind kind, DrawPart part, SceneBuffers& scene, const vis
   for (unsigned path = 0; path < paths; ++path) {
     const GLenum primitive = path == 0 ? GL_TRIANGLES : GL_PATCHES;
     const unsigned firstList = gpu::kListsPerDetail * path;
-    const auto drawList = [&](unsigned listIndex, unsigned program, bool cullBackFaces) {
-      (cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
-      programOf(kind, path, program).use();
-      submit(primitive, list, firstList + listIndex);
+    const auto drawList = [&](unsigned surface) {
+      use(kind, path, surface);
+      submit(primitive, list, firstList + surface);
     };
     if (part == DrawPart::kOpaque) {
-      drawList(gpu::kListSolid, 0, true);
-      drawList(gpu::kListSheet, 1, false);
+      drawList(gpu::kListSolid);
+      drawList(gpu::kListSheet);
     } else {
-      drawList(gpu::kListBlend, 1, false);
+      drawList(gpu::kListBlend);
     }
   }
   glDisable(GL_CULL_FACE);
@@ -86,10 +85,10 @@ void DrawPass::bindForSlices(SceneBuffers& scene, const SliceList& list,
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands->id());
 }
 
-void DrawPass::useForSlices(unsigned path, unsigned surface) const {
+void DrawPass::use(DrawKind kind, unsigned path, unsigned surface) const {
   const bool solid = surface == gpu::kListSolid;
   (solid ? glEnable : glDisable)(GL_CULL_FACE);
-  programOf(DrawKind::kShaded, path, solid ? 0 : 1).use();
+  programOf(kind, path, solid ? 0 : 1).use();
 }
 
 void DrawPass::submitSlice(unsigned path, unsigned surface, const SliceList& list, const SlicePlaces& places) const {

@@ -66,7 +66,7 @@ class DrawPass {
     const unsigned paths = patches_ && list.patches ? 2 : 1;
     for (unsigned path = 0; path < paths; ++path) {
       for (const unsigned surface : {gpu::kListSolid, gpu::kListSheet}) {
-        useForSlices(path, surface);
+        use(DrawKind::kShaded, path, surface);
         for (std::size_t i = 0; i < ranges.size(); ++i)
           each(i, [&] { submitSlice(path, surface, list, ranges[i]); });
       }
@@ -90,7 +90,8 @@ class DrawPass {
   const gl::Program& programOf(DrawKind kind, unsigned path, unsigned program) const;
   void bindForSlices(SceneBuffers& scene, const SliceList& list, const visibility::ObjectBuffers& decided) const;
   void bindObjects(const visibility::ObjectBuffers& decided) const;
-  void useForSlices(unsigned path, unsigned surface) const;
+  /// State and program of a surface. @param path  0: triangles, 1: patches   @param surface  kListSolid, ...
+  void use(DrawKind kind, unsigned path, unsigned surface) const;
   void submitSlice(unsigned path, unsigned surface, const SliceList& list, const SlicePlaces& places) const;
   static void endSlices() { glDisable(GL_CULL_FACE); }
   void submit(GLenum primitive, const visibility::DrawList& list, unsigned index) const;

@@ -54,10 +54,9 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       statistics(shaders),
       draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
       methods({scene, capabilities, shaders, memory, needs}),
-      context{cullView, drawView, counting, timer, buffers, visibility,   budget,        lists,       early,
-              late,     draw,     targets,  map,   pyramid, queryOptions, hasImportance, queryFigures},
+      context{cullView, drawView, counting, timer,   buffers, visibility, budget,       lists,
+              early,    late,     draw,     targets, map,     pyramid,    queryOptions, queryFigures},
       drawing(context, scene, shaders) {
-  hasImportance = options.importance != nullptr;
   methods.resize(width, height);
   if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);
 }

@@ -51,11 +51,9 @@ struct FrameParts {
   gpu::DrawView drawView{};
   CullMode cullMode = CullMode::kFull;      ///< of the last frame
   culling::QueryOptions queryOptions;       ///< of the last frame
-  bool hasImportance = false;               ///< RendererOptions::importance was given
   culling::QueryFigures queryFigures;       ///< of the last frame
   bool counting = false;                    ///< this frame's visible pixels are counted
   std::uint32_t countAge = kCountInterval;  ///< frames since they last were
-  std::uint64_t frameNumber = 0;            ///< counted as visibility::FrameRecord::frame
   std::array<QueryRecord, 4> queryRecords;  ///< by frame
   MethodTable methods;
   FrameContext context;

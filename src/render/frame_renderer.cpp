@@ -46,10 +46,10 @@ void FrameRenderer::render(const FrameOptions& options, const scene::Camera& cul
   if (!options.skipDraw || parts.counting) parts.drawing.draw(options, method);
   const gl::PassTimer::Scope pass(parts.timer, "count");
   if (parts.cullView.triangleBudget > 0) parts.budget.movePrice(parts.visibility.decided(), parts.late);
-  ++parts.frameNumber;
-  parts.queryRecords[parts.frameNumber % parts.queryRecords.size()] = {parts.frameNumber, parts.queryFigures};
   parts.statistics.endFrame(parts.buffers.bindings(), parts.visibility.decided(), parts.cullView,
                             rowOf(options.cullMode).testsOcclusion ? &parts.early : nullptr, parts.late);
+  const std::uint64_t frame = parts.statistics.frame();
+  parts.queryRecords[frame % parts.queryRecords.size()] = {frame, parts.queryFigures};
 }
 
 void FrameRenderer::renderCover() noexcept {

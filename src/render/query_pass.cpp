@@ -52,7 +52,7 @@ void QueryPass::begin(const FrameContext& frame, SlicePass& slices, const SliceO
   slices_ = &slices;
   order_ = &order;
   deferred_ = deferred;
-  masked_ = frame.queryOptions.importance > 0.0F && frame.hasImportance;
+  masked_ = frame.queryOptions.importance > 0.0F && frame.visibility.hasImportance();
   asking_ = false;
   drawCalls_ = 0;
   figures() = {};
@@ -128,11 +128,15 @@ void QueryPass::flush() {
   waiting_.clear();
 }
 
-void QueryPass::drawPlaces(std::span<const SlicePlaces> places) {
+/// @param conditions  one for each range, or none
+void QueryPass::drawPlaces(std::span<const SlicePlaces> places, std::span<const Conditional> conditions) {
   const SliceList list = slices_->list(frame_->cullView.calm != 0);
   frame_->draw.drawSlices(places, frame_->scene, list, frame_->visibility.decided(),
-                          [&](std::size_t /*range*/, const auto& draw) {
+                          [&](std::size_t i, const auto& draw) {
+                            if (!conditions.empty())
+                              glBeginConditionalRender(queries_[conditions[i].query], GL_QUERY_WAIT);
                             draw();
+                            if (!conditions.empty()) glEndConditionalRender();
                             ++drawCalls_;
                           });
 }
@@ -151,18 +155,10 @@ void QueryPass::drawConditionally(std::span<const Conditional> ranges) {
     glGetQueryBufferObjectuiv(queries_[range.query], slices_->samples().id(), GL_QUERY_RESULT,
                               static_cast<GLintptr>(sizeof(gpu::uint) * leaf));
   }
-  slices_->forgetSamples();
-  if (deferred_ == DeferredDrawing::kBuffer) slices_->dropHidden(ranges_);
+  const bool inBuffer = deferred_ == DeferredDrawing::kBuffer;
+  if (inBuffer) slices_->dropHidden(ranges_);
   drawMode();
-  const SliceList list = slices_->list(frame_->cullView.calm != 0);
-  frame_->draw.drawSlices(std::span<const SlicePlaces>(places_), frame_->scene, list, frame_->visibility.decided(),
-                          [&](std::size_t i, const auto& draw) {
-                            const bool condition = deferred_ == DeferredDrawing::kConditional;
-                            if (condition) glBeginConditionalRender(queries_[ranges[i].query], GL_QUERY_WAIT);
-                            draw();
-                            if (condition) glEndConditionalRender();
-                            ++drawCalls_;
-                          });
+  drawPlaces(places_, inBuffer ? std::span<const Conditional>() : ranges);
   for (const Conditional& range : ranges)
     free_.push_back(range.query);
 }

@@ -56,7 +56,7 @@ class QueryPass : public culling::QueryDevice {
   void drawMode();
   void flush();
   void markDrawn(std::uint32_t first, std::uint32_t count);
-  void drawPlaces(std::span<const SlicePlaces> places);
+  void drawPlaces(std::span<const SlicePlaces> places, std::span<const Conditional> conditions = {});
 
   gl::Program program_;
   gl::Program maskedProgram_;

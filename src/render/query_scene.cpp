@@ -45,9 +45,7 @@ void QueryScene::allocate() {
   MemoryEstimate needs = needs_;
   needs.add(needsOf(scene_));
   needs.require(memory_);
-  boundsWorld_.resize(scene_.objects.size());
-  for (std::uint32_t object = 0; object < scene_.objects.size(); ++object)
-    boundsWorld_[object] = culling::worldBounds(scene_, object);
+  boundsWorld_ = culling::worldBounds(scene_.objects, scene_.chains, scene_.transforms);
   slices_.allocate(scene_, mostNodes(scene_));
   queries_.allocate(mostNodes(scene_));
   if (kind_ == QueryTree::kBoxes) {
@@ -74,10 +72,7 @@ void QueryScene::readBounds(SceneBuffers& buffers) {
   const std::vector<gpu::Transform> transforms =
       std::as_const(buffers).transforms().read<gpu::Transform>(buffers.transformCount());
   const std::vector<gpu::Chain> chains = buffers.chains().read<gpu::Chain>(scene_.chains.size());
-  for (std::size_t i = 0; i < boundsWorld_.size(); ++i) {
-    const gpu::Object& object = scene_.objects[i];
-    boundsWorld_[i] = culling::worldBounds(chains[object.chain], transforms[object.transform]);
-  }
+  boundsWorld_ = culling::worldBounds(scene_.objects, chains, transforms);
 }
 
 void QueryScene::follow(SceneBuffers& buffers) {

@@ -69,7 +69,6 @@ void SlicePass::allocate(const scene::SceneData& scene, std::uint32_t nodes) {
   samples_ = words(nodes, 0, "samples of queries");
   ranges_ = visibility::makeStorage(kMostRanges * sizeof(gpu::SliceRange), GL_DYNAMIC_STORAGE_BIT, "ranges of slices");
   drawnBits_ = words((view_.objectCount + 31) / 32, GL_DYNAMIC_STORAGE_BIT, "drawn objects");
-  samplesKnown_ = true;
 }
 
 void SlicePass::setOrder(const SliceOrder& order) {
@@ -85,10 +84,10 @@ void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::
   view_.threshold = options.threshold;
   view_.importance = options.importance;
   viewBuffer_.writeValue(view_);
-  if (samplesKnown_) {
+  if (samplesWritten_) {
     const gpu::uint unknown = gpu::kSamplesUnknown;
     glClearNamedBufferData(samples_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &unknown);
-    samplesKnown_ = false;
+    samplesWritten_ = false;
   }
   const visibility::SceneBindings drawn = scene.drawn();
   const visibility::ObjectBuffers units = decided.drawn();
@@ -110,7 +109,6 @@ void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::
 void SlicePass::dropHidden(std::span<const gpu::SliceRange> ranges) {
   JAL_CHECK(ranges.size() <= kMostRanges);
   if (ranges.empty()) return;
-  samplesKnown_ = true;
   ranges_.write(0, std::as_bytes(ranges));
   glMemoryBarrier(GL_QUERY_BUFFER_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   viewBuffer_.bindUniform(gpu::kBindingSliceView);

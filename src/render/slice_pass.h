@@ -48,9 +48,11 @@ class SlicePass {
   void bindView() const { viewBuffer_.bindUniform(gpu::kBindingSliceView); }
   /// What begin() wrote. @param fading  levels may fade out
   SliceList list(bool fading) const { return {&instances_, &commands_, view_.commandCapacity, patches_, fading}; }
-  /// gpu::uint [nodes]: samples of the nodes whose answers the CPU does not see.
-  const gl::Buffer& samples() const { return samples_; }
-  void forgetSamples() { samplesKnown_ = true; }
+  /// gpu::uint [nodes]: samples of the nodes whose answers the CPU does not see; the caller writes them in this frame.
+  const gl::Buffer& samples() {
+    samplesWritten_ = true;
+    return samples_;
+  }
   /// Empties the commands of ranges whose samples are too few. Writes the ranges to the GPU. @pre at most kMostRanges
   void dropHidden(std::span<const gpu::SliceRange> ranges);
   /// Corrects marks and verdicts. @param drawn  [(objects + 31) / 32] bits by place
@@ -67,7 +69,7 @@ class SlicePass {
   gpu::SliceView view_{};
   std::uint32_t cellCount_ = 0;
   bool patches_ = false;
-  bool samplesKnown_ = false;  ///< the last frame wrote samples: they are cleared in the next
+  bool samplesWritten_ = true;  ///< not cleared to kSamplesUnknown since they were written or made
   gl::Buffer viewBuffer_;
   gl::Buffer objectOrder_;
   gl::Buffer unitOrder_;

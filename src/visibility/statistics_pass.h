@@ -36,6 +36,8 @@ class StatisticsPass {
   /// frame
   void endFrame(const SceneBindings& scene, const ObjectBuffers& decided, const gpu::CullView& view,
                 const DrawList* early, const DrawList& late);
+  /// FrameRecord::frame of the last endFrame().
+  std::uint64_t frame() const { return frame_; }
   /// The newest statistics that have arrived; empty until the first do. Never waits.
   const std::optional<FrameRecord>& latest();
   /// Waits for the statistics of the last frame.

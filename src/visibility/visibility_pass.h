@@ -42,6 +42,8 @@ class VisibilityPass {
   /// @param items  GL_R32UI, object index + 1 per pixel, 0 for none. Leaves a STORAGE barrier.
   void countPixels(const gl::Texture& items);
   ObjectBuffers decided() const;
+  /// Whether classify leaves an importance mask bound at kUnitImportance.
+  bool hasImportance() const { return importance_.has_value(); }
 
  private:
   /// A kernel for objects, and the one for their cells where the scene has any.

@@ -33,7 +33,6 @@ struct FrameContext {
   visibility::OcclusionMapPass& map;          ///< shared by the methods that use a map
   visibility::DepthPyramidPass& pyramid;      ///< shared by the methods that use depth
   const culling::QueryOptions& queryOptions;  ///< of the present frame
-  const bool& hasImportance;                  ///< an importance mask is bound at kUnitImportance
   culling::QueryFigures& queryFigures;        ///< the method of the present frame writes them
 
   /// Fills a list with the objects that the flags put on it.
