@@ -387,7 +387,7 @@ std::vector<RenderOption> viewRows() {
       {"--settle", "settle", "frames",
        "Render so many frames from the same camera before the picture; 0 shows the first frame after a cut",
        OptionGroup::kView, CountValue{[](Options& o) -> std::uint32_t& { return o.settle; }, 0, 1000},
-       "--mode " + policy::namesWith(cullModeTable(), &CullModeRow::needsHistory) + ", --lv " +
+       modesWith(&CullModeRow::needsHistory) + ", --lv " +
            policy::namesWith(lvMeasureTable(), &LvMeasureRow::countsPixels) + " or --calm",
        [](const Options& o) { return dependsOnHistory(policyOf(o)); }},
   };
