@@ -44,17 +44,18 @@ BouncePath bouncePath(const glm::dvec3& start, const glm::dvec3& velocity, doubl
   return path;
 }
 
-std::vector<Mover> chooseMovers(std::uint32_t objects, float share, float side, std::uint64_t seed) {
+std::vector<Mover> chooseMovers(const Layout& layout, float side) {
   constexpr double kSlowest = 20.0;  // seconds through the cube
   constexpr double kFastest = 5.0;
-  Random random(seed ^ 0x6d6f76696e67ULL);
+  Random random(layout.seed ^ 0x6d6f76696e67ULL);
   std::vector<Mover> movers;
-  for (std::uint32_t object = 1; object < objects; ++object) {
-    const bool moves = random.uniform() < share;
+  for (std::uint32_t object = 1; object < layout.count; ++object) {
+    const bool moves = random.uniform() < layout.moving;
     glm::dvec3 direction(0.0);
     do {
       for (int axis = 0; axis < 3; ++axis)
         direction[axis] = double{random.uniform(-1.0F, 1.0F)};
+      if (layout.shape == Shape::kGround) direction.y = 0.0;
     } while (!(glm::dot(direction, direction) > 1e-4 && glm::dot(direction, direction) <= 1.0));
     const double seconds = kFastest + (kSlowest - kFastest) * double{random.uniform()};
     if (moves) movers.push_back({object, direction / std::sqrt(glm::dot(direction, direction)) * (side / seconds)});

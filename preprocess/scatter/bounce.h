@@ -27,7 +27,8 @@ struct Mover {
 };
 
 /// Which objects move: each but the one in the middle with a probability of `share`, in a random direction, through the
-/// cube in 5 to 20 seconds. Deterministic in the seed; placements do not depend on it.
-std::vector<Mover> chooseMovers(std::uint32_t objects, float share, float side, std::uint64_t seed);
+/// cube in 5 to 20 seconds; on the ground in a random direction of the plane. Deterministic in the layout; placements
+/// do not depend on it. @param side  of the cube or square, world units
+std::vector<Mover> chooseMovers(const Layout& layout, float side);
 
 }  // namespace jalousie::scatter

@@ -34,19 +34,22 @@ constexpr ScaleRange kThesisScale{0.5F, 1.5F};
 constexpr double kDefaultSpacing = 1.2;
 
 constexpr const char* kDescription =
-    "Scatters copies of a baked object in a cube: instances, LOD chain, camera path and optional occluder in one GLB";
+    "Scatters copies of a baked object in a cube or on the ground: instances, LOD chain, camera path and optional "
+    "occluder in one GLB";
 constexpr const char* kFooter = R"(Examples:
   jalousie-scatter bunny.glb --preset thesis-5001 -o bunnies.glb
       scatter 5001 objects, as in the first scene of the thesis
   jalousie-scatter bunny.glb --preset thesis-10001 --seed 7 --json report.json -o sparse.glb
       scatter 10001 objects of random size with other random numbers, and write a report
-  jalousie-scatter tree.glb --count 300 --layout cube --side 80 --rotate any --scale 0.5,2 -o trees.glb
+  jalousie-scatter rock.glb --count 300 --side 80 --rotate any --scale 0.5,2 -o rocks.glb
       scatter 300 objects with random rotation and scale
+  jalousie-scatter tree.glb --count 800 --layout ground --scale 0.5,2 -o wood.glb
+      let 800 objects stand on the ground
   jalousie-scatter bunny.glb --count 1 --occluder foliage --cover 0.8 -o behind_leaves.glb
       place one object behind leaves that cover 80 % of the occluder's area
 
-The same input and options give the same bytes. The first object is in the middle of the cube.
-Every scene has an animated camera with 1800 frames at 30 per second. Several objects: around the cube (frames 0-899),
+The same input and options give the same bytes. The first object is in the middle.
+Every scene has an animated camera with 1800 frames at 30 per second. Several objects: around them (frames 0-899),
 towards it (900-1199), a circle inside (1200-1799). A single object: circles around it, or an arc in front of the
 occluder.)";
 
@@ -119,8 +122,12 @@ Layout resolveLayout(const Given& given, std::uint64_t seed) {
   if (given.count) layout.count = *given.count;
   const std::uint64_t most = asset::Limits{}.maxInstances;
   if (layout.count < 1 || layout.count > most) usage(fmt::format("--count must be 1 to {}", most));
-  if (given.preset.empty())
-    layout.sideDiagonals = static_cast<float>(kDefaultSpacing * std::cbrt(static_cast<double>(layout.count)));
+  if (given.layout == "ground") layout.shape = Shape::kGround;
+  if (given.preset.empty()) {
+    const auto count = static_cast<double>(layout.count);
+    const double along = layout.shape == Shape::kGround ? std::sqrt(count) : std::cbrt(count);
+    layout.sideDiagonals = static_cast<float>(kDefaultSpacing * along);
+  }
   if (given.side) {
     if (!std::isfinite(*given.side) || !(*given.side > 0.0F)) usage("--side must be a positive length");
     layout.side = given.side;
@@ -144,11 +151,11 @@ std::optional<Occluder> resolveOccluder(const Given& given, bool coverGiven) {
 void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
   app.add_option("--count", given.count, "Scatter this many objects, the one in the middle included [from --preset]")
       ->type_name(fmt::format("1..{}", asset::Limits{}.maxInstances));
-  app.add_option("--layout", given.layout, "Choose the shape in which objects are placed")
-      ->check(CLI::IsMember({"cube"}))
+  app.add_option("--layout", given.layout, "Place objects in a cube, or let them stand on a square of ground")
+      ->check(CLI::IsMember({"cube", "ground"}))
       ->capture_default_str();
   app.add_option("--side", given.side,
-                 "Set the side of the cube of the objects' centres, world units "
+                 "Set the side of the cube or square of the objects' centres, world units "
                  "[1.2 diagonals of the object per object along a side]")
       ->type_name("LENGTH");
   app.add_option("--rotate", given.rotate, "Rotate objects at random: x (about the global x axis), any, none")
@@ -158,7 +165,7 @@ void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
       ->type_name("MIN,MAX")
       ->default_str("1,1");
   app.add_option("--moving", given.moving,
-                 "Let this share of the objects bounce in the cube; the one in the middle stays")
+                 "Let this share of the objects bounce in the cube or on the ground; the one in the middle stays")
       ->type_name("0..1")
       ->capture_default_str();
   app.add_option("--seed", seed, "Set the seed of all random numbers")->capture_default_str();

@@ -47,13 +47,27 @@ float sideOf(const Layout& layout, const SourceAsset& source) {
   return layout.side ? *layout.side : layout.sideDiagonals * source.diagonal;
 }
 
+float standOnGround(std::vector<Placement>& placements, const SourceAsset& source) {
+  const auto depthOf = [&](const Placement& placed) {
+    Aabb box;
+    for (const SourcePart& part : source.parts)
+      box.add(boundsOf(instancesOf({{glm::vec3(0.0F), placed.turn, placed.factor}}, source, part), part.boxObject));
+    return box.min.y;
+  };
+  const float ground = placements.front().place.y + depthOf(placements.front());
+  for (Placement& placed : placements)
+    placed.place.y = ground - depthOf(placed);
+  return ground;
+}
+
 std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress) {
   constexpr std::uint32_t kProgressStep = 1U << 16U;
   Random random(layout.seed);
   std::vector<Placement> placements;
   placements.reserve(layout.count);
   for (std::uint32_t i = 0; i < layout.count; ++i) {
-    const glm::vec3 place = i == 0 ? glm::vec3(0.0F) : randomPlace(0.5F * side, random);
+    glm::vec3 place = i == 0 ? glm::vec3(0.0F) : randomPlace(0.5F * side, random);
+    if (layout.shape == Shape::kGround) place.y = 0.0F;
     const glm::quat turn = randomRotation(layout.rotation, random);
     placements.push_back({place, turn, random.uniform(layout.scale.min, layout.scale.max)});
     if (i % kProgressStep == 0) progress.update(i);

@@ -1,4 +1,4 @@
-// Places objects at random in a cube.
+// Places objects at random in a cube or on the ground.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,7 +13,7 @@
 
 namespace jalousie::scatter {
 
-/// Side of the cube, world units.
+/// Side of the cube or square, world units.
 float sideOf(const Layout& layout, const SourceAsset& source);
 
 /// Where an object stands: it is turned and scaled about the centre of its box, which is moved to a place.
@@ -24,8 +24,12 @@ struct Placement {
 };
 
 /// Places layout.count objects. The box's centre of object 0 is at the origin; those of the others are uniform in the
-/// cube [-side/2, side/2]^3. Deterministic in layout and side.
+/// cube [-side/2, side/2]^3, or in its middle plane y = 0. Deterministic in layout and side.
 std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress);
+
+/// Moves objects up or down so that all stand as low as the first one, which stays. Boxes decide.
+/// @param placements  not empty   @return  y of the ground, world units
+float standOnGround(std::vector<Placement>& placements, const SourceAsset& source);
 
 /// The instances of a part: for each object all poses of the part.
 asset::Instances instancesOf(const std::vector<Placement>& placements, const SourceAsset& source,

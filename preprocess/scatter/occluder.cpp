@@ -164,6 +164,12 @@ OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_
   return makePlane(occluder.cover, halfSize);
 }
 
+OccluderMesh makeSlab(float halfSize, float thickness) {
+  OccluderMesh mesh;
+  addBox(mesh, glm::vec2(-halfSize), glm::vec2(halfSize), thickness);
+  return mesh;
+}
+
 const char* occluderName(OccluderKind kind) {
   switch (kind) {
     case OccluderKind::kFoliage:

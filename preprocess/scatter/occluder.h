@@ -32,6 +32,9 @@ OccluderPlace placeOccluder(const PathSubject& subject);
 /// fall at random and whose share is at most 0.99.
 OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed);
 
+/// Makes a slab over the square [-halfSize, halfSize]^2, centred on the plane z = 0.
+OccluderMesh makeSlab(float halfSize, float thickness);
+
 /// "foliage", "grid", "fence", "plane".
 const char* occluderName(OccluderKind kind);
 

@@ -24,6 +24,11 @@ enum class OccluderKind {
   kPlane,    ///< a wall with one large hole in the middle
 };
 
+enum class Shape {
+  kCube,    ///< centres uniform in a cube
+  kGround,  ///< standing on a square of ground, uniform
+};
+
 /// Range of the uniform scale factor, 0 < min <= max.
 struct ScaleRange {
   float min = 1.0F;
@@ -32,12 +37,13 @@ struct ScaleRange {
 
 /// How the objects are placed. Presets and defaults are already merged in.
 struct Layout {
-  std::uint32_t count = 1;     ///< objects, the one in the middle included
-  std::optional<float> side;   ///< of the cube that holds the objects' centres, world units
+  std::uint32_t count = 1;  ///< objects, the one in the middle included
+  Shape shape = Shape::kCube;
+  std::optional<float> side;   ///< of the cube or square that holds the objects' centres, world units
   float sideDiagonals = 0.0F;  ///< the same in diagonals of the object's box, where `side` is absent
   Rotation rotation = Rotation::kNone;
   ScaleRange scale;
-  float moving = 0.0F;  ///< share of the objects that bounce in the cube, 0 to 1
+  float moving = 0.0F;  ///< share of the objects that bounce in the cube or on the ground, 0 to 1
   std::uint64_t seed = 1;
 };
 

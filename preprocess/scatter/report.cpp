@@ -36,6 +36,7 @@ std::string reportJson(const Options& options, const Summary& summary) {
   ordered_json report;
   report["objects"] = layout.count;
   report["meshes_per_object"] = summary.meshesPerObject;
+  report["layout"] = layout.shape == Shape::kGround ? "ground" : "cube";
   report["side"] = summary.side;
   report["rotate"] = rotationName(layout.rotation);
   report["scale"] = {layout.scale.min, layout.scale.max};
@@ -50,6 +51,7 @@ std::string reportJson(const Options& options, const Summary& summary) {
                           {"cover", options.occluder->cover},
                           {"triangles", summary.occluderTriangles}};
   }
+  if (summary.groundTriangles > 0) report["ground_triangles"] = summary.groundTriangles;
   report["bounds"] = {{"min", vectorJson(summary.boundsWorld.min)}, {"max", vectorJson(summary.boundsWorld.max)}};
   report["camera_frames"] = kFrameCount;
   report["ignored"] = ordered_json::object();
@@ -62,7 +64,8 @@ std::string reportLine(const Options& options, const Summary& summary) {
   const std::uint32_t count = options.layout.count;
   std::string objects = count == 1 ? "1 object" : fmt::format("{} objects", count);
   if (summary.meshesPerObject > 1) objects += fmt::format(" of {} meshes", summary.meshesPerObject);
-  if (count > 1) objects += fmt::format(" in a cube of side {:.4g}", summary.side);
+  const char* where = options.layout.shape == Shape::kGround ? "on a ground" : "in a cube";
+  if (count > 1) objects += fmt::format(" {} of side {:.4g}", where, summary.side);
   if (summary.moving > 0) objects += fmt::format(", {} of them moving", summary.moving);
   return fmt::format("{}, {} triangles at LOD 0", objects, summary.trianglesFull);
 }

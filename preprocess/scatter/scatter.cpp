@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -179,7 +180,7 @@ Aabb boundsOfMover(const SourceAsset& source, const Placement& placed, float hal
 /// Adds all objects that move, and leaves the others. @return  the nodes of the movers
 std::vector<int> addMovers(Movers& movers, const SourceAsset& source, const Layout& layout,
                            std::vector<Placement>& placements, Summary& summary) {
-  const std::vector<Mover> chosen = chooseMovers(layout.count, layout.moving, summary.side, layout.seed);
+  const std::vector<Mover> chosen = chooseMovers(layout, summary.side);
   if (chosen.empty()) return {};
   std::vector<int> nodes;
   std::vector<bool> moves(placements.size(), false);
@@ -211,16 +212,29 @@ std::vector<int> addParts(Objects& objects, const SourceAsset& source, const std
   return nodes;
 }
 
-int addOccluderMaterial(Model& model, OccluderKind kind) {
+int addMaterial(Model& model, const std::string& name, const glm::vec3& color) {
   tinygltf::Material material;
-  material.name = occluderName(kind);
+  material.name = name;
   material.doubleSided = true;
-  material.pbrMetallicRoughness.baseColorFactor = kind == OccluderKind::kFoliage
-                                                      ? std::vector<double>{0.1, 0.3, 0.06, 1.0}
-                                                      : std::vector<double>{0.3, 0.25, 0.2, 1.0};
+  material.pbrMetallicRoughness.baseColorFactor = {color.x, color.y, color.z, 1.0};
   material.pbrMetallicRoughness.metallicFactor = 0.0;
   model.materials.push_back(std::move(material));
   return static_cast<int>(model.materials.size()) - 1;
+}
+
+/// Adds a mesh with a material of its own. @return  its index
+int addMesh(Model& model, const OccluderMesh& geometry, const std::string& name, const glm::vec3& color) {
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, geometry.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, geometry.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, geometry.indices);
+  primitive.material = addMaterial(model, name, color);
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  mesh.primitives.push_back(std::move(primitive));
+  model.meshes.push_back(std::move(mesh));
+  return static_cast<int>(model.meshes.size()) - 1;
 }
 
 /// Adds the occluder's mesh and node; nullopt if nothing is covered.
@@ -229,24 +243,31 @@ std::optional<int> addOccluder(Model& model, const Occluder& occluder, const Pat
   const OccluderPlace place = placeOccluder(subject);
   const OccluderMesh geometry = makeOccluder(occluder, place.halfSize, seed);
   if (geometry.indices.empty()) return std::nullopt;
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, geometry.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.attributes["NORMAL"] = asset::appendVec3(model, geometry.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.indices = asset::appendIndices(model, geometry.indices);
-  primitive.material = addOccluderMaterial(model, occluder.kind);
-  tinygltf::Mesh mesh;
-  mesh.name = occluderName(occluder.kind);
-  mesh.primitives.push_back(std::move(primitive));
-  model.meshes.push_back(std::move(mesh));
-
+  const glm::vec3 color =
+      occluder.kind == OccluderKind::kFoliage ? glm::vec3(0.1F, 0.3F, 0.06F) : glm::vec3(0.3F, 0.25F, 0.2F);
   const glm::vec3 position(0.0F, 0.0F, place.distance);
-  const int node = addNode(model, "occluder", static_cast<int>(model.meshes.size()) - 1);
+  const int node = addNode(model, "occluder", addMesh(model, geometry, occluderName(occluder.kind), color));
   model.nodes.back().translation = numbers(position);
   summary.occluderTriangles = geometry.indices.size() / 3;
   summary.trianglesFull += summary.occluderTriangles;
   for (const glm::vec3& p : geometry.positions)
     summary.boundsWorld.add(p + position);
+  return node;
+}
+
+/// Adds the ground under all objects. @param top  y, world units   @return  its node
+int addGround(Model& model, const SourceAsset& source, const Layout& layout, float top, Summary& summary) {
+  constexpr float kThickness = 0.1F;  // in diagonals of the object
+  const float margin = layout.scale.max * source.diagonal;
+  const float half = 0.5F * summary.side + margin;
+  const float thickness = kThickness * source.diagonal;
+  const OccluderMesh geometry = makeSlab(half, thickness);
+  const int node = addNode(model, "ground", addMesh(model, geometry, "ground", {0.25F, 0.3F, 0.2F}));
+  model.nodes.back().translation = numbers({0.0F, top - 0.5F * thickness, 0.0F});
+  model.nodes.back().rotation = {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};  // z becomes y
+  summary.groundTriangles = geometry.indices.size() / 3;
+  summary.trianglesFull += summary.groundTriangles;
+  summary.boundsWorld.add(Aabb{{-half, top - thickness, -half}, {half, top, half}});
   return node;
 }
 
@@ -286,11 +307,14 @@ ScatteredScene scatterObjects(Model input, const Options& options, Progress& pro
   model = withoutNodes(std::move(input));
   tinygltf::Scene root;
   std::vector<Placement> placements = placeObjects(layout, summary.side, progress);
+  std::optional<float> ground;
+  if (layout.shape == Shape::kGround) ground = standOnGround(placements, source);
   Objects objects(model, meshes);
   Movers bouncing(model, objects, source, 0.5F * summary.side);
   const std::vector<int> movers = addMovers(bouncing, source, layout, placements, summary);
   root.nodes = addParts(objects, source, placements, summary);
   root.nodes.insert(root.nodes.end(), movers.begin(), movers.end());
+  if (ground) root.nodes.push_back(addGround(model, source, layout, *ground, summary));
   requireRepresentable(summary.boundsWorld);
 
   const PathSubject subject{layout.count > 1 ? 0.5F * summary.side : 0.0F, 0.5F * layout.scale.max * source.diagonal,

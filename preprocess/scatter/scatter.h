@@ -14,14 +14,15 @@ namespace jalousie::scatter {
 
 /// Figures of the scene.
 struct Summary {
-  float side = 0.0F;                     ///< world units
-  std::uint32_t moving = 0;              ///< objects that bounce in the cube
+  float side = 0.0F;                     ///< of the cube or the ground, world units
+  std::uint32_t moving = 0;              ///< objects that bounce
   std::uint32_t levels = 0;              ///< of the longest LOD chain
   std::uint64_t meshesPerObject = 0;     ///< instances of meshes that an object consists of
   std::uint64_t trianglesPerObject = 0;  ///< LOD 0
-  std::uint64_t trianglesFull = 0;       ///< LOD 0 of all objects and the occluder
+  std::uint64_t trianglesFull = 0;       ///< LOD 0 of all objects, the occluder and the ground
   std::uint64_t occluderTriangles = 0;
-  Aabb boundsWorld;              ///< objects and occluder
+  std::uint64_t groundTriangles = 0;
+  Aabb boundsWorld;              ///< objects, occluder and ground
   asset::ContentCounts ignored;  ///< what of the input is left out
 };
 

@@ -50,15 +50,32 @@ TEST(ScatterBounce, AnObjectInACornerAndOneAtRestHaveAPath) {
   EXPECT_EQ(bouncePath(glm::dvec3(1.0), glm::dvec3(0.0), 3.0, 10.0).times, (std::vector<float>{0.0F, 10.0F}));
 }
 
+Layout moving(std::uint32_t count, float share, Shape shape = Shape::kCube) {
+  Layout layout;
+  layout.count = count;
+  layout.moving = share;
+  layout.shape = shape;
+  return layout;
+}
+
 TEST(ScatterBounce, TheShareMovesAndTheMiddleStays) {
-  EXPECT_TRUE(chooseMovers(1000, 0.0F, 10.0F, 1).empty());
-  EXPECT_EQ(chooseMovers(1000, 1.0F, 10.0F, 1).size(), 999U);
-  const std::vector<Mover> some = chooseMovers(4000, 0.25F, 10.0F, 1);
+  EXPECT_TRUE(chooseMovers(moving(1000, 0.0F), 10.0F).empty());
+  EXPECT_EQ(chooseMovers(moving(1000, 1.0F), 10.0F).size(), 999U);
+  const std::vector<Mover> some = chooseMovers(moving(4000, 0.25F), 10.0F);
   EXPECT_NEAR(static_cast<double>(some.size()), 1000.0, 100.0);
   for (const Mover& mover : some) {
     EXPECT_GT(mover.object, 0U);
     EXPECT_GE(glm::length(mover.velocity), 10.0 / 20.0 - 1e-6);
     EXPECT_LE(glm::length(mover.velocity), 10.0 / 5.0 + 1e-6);
+  }
+}
+
+TEST(ScatterBounce, OnTheGroundNothingLeavesIt) {
+  const std::vector<Mover> all = chooseMovers(moving(100, 1.0F, Shape::kGround), 10.0F);
+  ASSERT_EQ(all.size(), 99U);
+  for (const Mover& mover : all) {
+    EXPECT_EQ(mover.velocity.y, 0.0);
+    EXPECT_GE(glm::length(mover.velocity), 10.0 / 20.0 - 1e-6);
   }
 }
 

@@ -1,7 +1,9 @@
 // Reads the scattered scene back with the scene reader: instances, chain, camera, occluder, presets.
 #include "scatter/scatter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
@@ -131,6 +133,41 @@ TEST(Scatter, OccluderIsAnObjectOfItsOwn) {
   EXPECT_EQ(scene.summary.trianglesFull, 128U + scene.summary.occluderTriangles);
 }
 
+/// Lowest vertex of an instance's LOD 0.
+float lowestOf(const asset::SceneFile& file, const asset::Instance& instance) {
+  float lowest = std::numeric_limits<float>::infinity();
+  for (const asset::Primitive& primitive : file.meshes[file.chains[instance.chain].levels[0].mesh].primitives)
+    for (const glm::vec3& p : primitive.positions)
+      lowest = std::min(lowest, (instance.worldFromObject * glm::vec4(p, 1.0F)).y);
+  return lowest;
+}
+
+TEST(Scatter, ObjectsStandOnTheGround) {
+  const ScatteredScene scene = scatter(parse({"--count", "40", "--layout", "ground", "--scale", "0.5,2"}));
+  const asset::SceneFile file = readBack(scene);
+  ASSERT_EQ(file.instances.size(), 41U);
+  ASSERT_EQ(file.chains.size(), 2U);
+  EXPECT_EQ(file.chains[1].name, "ground");
+  Aabb ground;
+  const asset::Instance& slab = file.instances[40];
+  for (const glm::vec3& p : file.meshes[file.chains[slab.chain].levels[0].mesh].primitives[0].positions)
+    ground.add(glm::vec3(slab.worldFromObject * glm::vec4(p, 1.0F)));
+  float widest = 0.0F;
+  for (std::size_t i = 0; i < 40; ++i) {
+    EXPECT_NEAR(lowestOf(file, file.instances[i]), ground.max.y, 1e-4F) << i;
+    const glm::vec3 place(file.instances[i].worldFromObject[3]);
+    for (const int axis : {0, 2}) {
+      EXPECT_GT(place[axis], ground.min[axis]);
+      EXPECT_LT(place[axis], ground.max[axis]);
+      widest = std::max(widest, std::abs(place[axis]));
+    }
+  }
+  EXPECT_GT(widest, 0.4F * scene.summary.side);
+  EXPECT_LT(ground.min.y, ground.max.y);
+  EXPECT_NEAR(scene.summary.boundsWorld.min.y, ground.min.y, 1e-4F);
+  EXPECT_EQ(scene.summary.trianglesFull, 40U * 128U + 12U);
+}
+
 TEST(Scatter, OccluderDoesNotMoveTheObjects) {
   const auto translations = [](const ScatteredScene& scene) {
     return asset::readInstances(scene.model, 0).values.translations;
@@ -161,6 +198,15 @@ tinygltf::Model toy() {
   model.nodes[static_cast<std::size_t>(wheels)].extensions["EXT_mesh_gpu_instancing"] = value;
   test::setScene(model, {0, wheels});
   return model;
+}
+
+TEST(Scatter, TurnedAndComposedObjectsStandOnTheGroundWithTheirBoxes) {
+  const ScatteredScene scene =
+      scatter(parse({"--count", "12", "--layout", "ground", "--rotate", "any", "--moving", "0.5"}), toy());
+  const asset::SceneFile file = readBack(scene);
+  const float top = scene.summary.boundsWorld.min.y;
+  for (const asset::Instance& instance : file.instances)
+    EXPECT_GT(lowestOf(file, instance), top - 1e-3F);
 }
 
 /// The scene's transforms of one mesh after the other, in the order of the file.
