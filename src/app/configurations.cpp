@@ -38,6 +38,7 @@ constexpr BuiltIn kBuiltIns[] = {
     {"chc-flat", "--mode chc-flat --lod pixel-error --cells off"},
     {"chc", "--mode chc --lod pixel-error --cells off"},
     {"chc++", "--mode chc++ --lod pixel-error --cells off"},
+    {"nested-grid", "--mode nested-grid --lod pixel-error --cells off"},
     {"eye-siding", "--mode eye-siding --lod pixel-error --cells off"},
     {"eye-siding-single", "--mode eye-siding --query-units single --lod pixel-error --cells off"},
     {"eye-siding-planes", "--mode eye-siding --plane-depth 16 --lod pixel-error --cells off"},
@@ -59,8 +60,8 @@ constexpr Set kSets[] = {
     {"thesis", "frustum-finest,hom,hom+lv,hom+lv-tessellation", "the methods of Kristmann 2022, Fig. 4.6 to 4.10"},
     {"ab", "discrete,tessellation", "LOD chain and Phong tessellation with the same error budget"},
     {"queries",
-     "frustum,hiz,query-wait,query-batch,chc-flat,chc,chc++,eye-siding,eye-siding-single,eye-siding-planes,"
-     "query-conditional,query-buffer",
+     "frustum,hiz,query-wait,query-batch,chc-flat,chc,chc++,nested-grid,eye-siding,eye-siding-single,"
+     "eye-siding-planes,query-conditional,query-buffer",
      "the methods on occlusion queries with frustum culling and two-phase culling"},
     {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-coverage,hiz-lv-error,default,calm,hom+lv,tessellation",
      "one configuration of each kind"},

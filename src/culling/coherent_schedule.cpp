@@ -19,7 +19,18 @@ std::uint32_t hashOf(std::uint32_t node) {
 }  // namespace
 
 TraversalSchedule::TraversalSchedule(const SpatialHierarchy& tree) : QuerySchedule(tree) {
-  nodesLeft_.reserve(tree.nodes.size() / 2 + 1);
+  nodesLeft_.reserve(tree.objects.size());
+}
+
+CoherentSchedule::CoherentSchedule(const SpatialHierarchy& tree) : TraversalSchedule(tree) {
+  asked_.reserve(tree.objects.size());
+}
+
+CoherentPlusSchedule::CoherentPlusSchedule(const SpatialHierarchy& tree) : TraversalSchedule(tree) {
+  visibleQueue_.reserve(tree.objects.size());
+  members_.reserve(tree.objects.size());
+  groups_.reserve(tree.objects.size());
+  pending_.reserve(tree.objects.size());
 }
 
 void TraversalSchedule::push(std::uint32_t node) {
@@ -144,7 +155,7 @@ void CoherentPlusSchedule::visit(std::uint32_t node) {
     return;
   }
   if (!was) {
-    hiddenQueue_.push_back(node);
+    hiddenQueue_.push_back({node, history.hidden, static_cast<std::uint32_t>(hiddenQueue_.size())});
     return;
   }
   if (tree_.isLeaf(node)) {
@@ -162,12 +173,13 @@ void CoherentPlusSchedule::visit(std::uint32_t node) {
 void CoherentPlusSchedule::sendHidden() {
   ++batches_;
   if (options_.multiquery != Multiquery::kOff) {
-    std::stable_sort(hiddenQueue_.begin(), hiddenQueue_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return history_[a].hidden > history_[b].hidden; });
+    std::sort(hiddenQueue_.begin(), hiddenQueue_.end(), [](const Waiting& a, const Waiting& b) {
+      return a.hidden != b.hidden ? a.hidden > b.hidden : a.order < b.order;
+    });
   }
   hidden_.clear();
-  for (const std::uint32_t node : hiddenQueue_)
-    hidden_.push_back({history_[node].hidden, tree_.nodes[node].objectCount});
+  for (const Waiting& waiting : hiddenQueue_)
+    hidden_.push_back({waiting.hidden, tree_.nodes[waiting.node].objectCount});
   for (std::size_t first = 0; first < hidden_.size();) {
     const std::size_t size = multiquerySize(std::span(hidden_).subspan(first), options_.multiquery);
     sendGroup(first, first + size);
@@ -183,8 +195,8 @@ void CoherentPlusSchedule::sendGroup(std::size_t first, std::size_t end) {
   group.batch = batches_;
   boxes_.clear();
   for (std::size_t i = first; i < end; ++i) {
-    members_.push_back(hiddenQueue_[i]);
-    addBoxes(hiddenQueue_[i]);
+    members_.push_back(hiddenQueue_[i].node);
+    addBoxes(hiddenQueue_[i].node);
   }
   group.ticket = device_->ask(boxes_);
   groups_.push_back(group);

@@ -26,7 +26,7 @@ class TraversalSchedule : public QuerySchedule {
 /// CHC: asks for leaves and for nodes that were hidden; opens inner nodes that were visible without a query.
 class CoherentSchedule : public TraversalSchedule {
  public:
-  using TraversalSchedule::TraversalSchedule;
+  explicit CoherentSchedule(const SpatialHierarchy& tree);
 
  private:
   void decide() override;
@@ -41,7 +41,7 @@ class CoherentSchedule : public TraversalSchedule {
 /// likely to be hidden still; visible leaves ask every few frames, at the end of the frame, for the next one.
 class CoherentPlusSchedule : public TraversalSchedule {
  public:
-  using TraversalSchedule::TraversalSchedule;
+  explicit CoherentPlusSchedule(const SpatialHierarchy& tree);
 
  private:
   /// A query for one node or several.
@@ -50,6 +50,12 @@ class CoherentPlusSchedule : public TraversalSchedule {
     std::uint32_t firstMember = 0;  ///< in members_
     std::uint32_t memberCount = 0;
     std::uint32_t batch = 0;
+  };
+  /// A node that waits for its query.
+  struct Waiting {
+    std::uint32_t node;
+    std::uint32_t hidden;  ///< frames in a row
+    std::uint32_t order;   ///< in the queue
   };
 
   void decide() override;
@@ -65,7 +71,7 @@ class CoherentPlusSchedule : public TraversalSchedule {
   /// Boxes of a node, appended to boxes_.
   void addBoxes(std::uint32_t node);
 
-  std::vector<std::uint32_t> hiddenQueue_;
+  std::vector<Waiting> hiddenQueue_;
   std::vector<HiddenNode> hidden_;  ///< of the queue
   std::vector<std::uint32_t> visibleQueue_;
   std::vector<std::uint32_t> members_;  ///< of the groups of this frame

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kBins = 16;
 constexpr std::uint32_t kSahDepth = 32;  ///< below this depth, ranges are halved: 32 more levels hold any 32-bit count
+constexpr std::size_t kMostDepth = 64;
 
 /// Center of a box, in double precision: sums and areas of any boxes of floats are finite.
 glm::dvec3 centerOf(const Aabb& box) {
@@ -60,23 +61,25 @@ struct Range {
 /// Makes one hierarchy.
 class Builder {
  public:
-  Builder(std::span<const Aabb> boxes, const HierarchyOptions& options) : boxes_(boxes), options_(options) {}
+  /// @param aside  memory for a partition
+  Builder(SpatialHierarchy& result, std::vector<std::uint32_t>& aside, std::span<const Aabb> boxes,
+          const HierarchyOptions& options)
+      : result_(result), aside_(aside), boxes_(boxes), options_(options) {}
 
-  SpatialHierarchy build() {
-    result_ = emptyHierarchy(boxes_);
-    std::vector<Range> stack;
-    if (!boxes_.empty()) stack.push_back({0, static_cast<std::uint32_t>(boxes_.size()), kNoParent, 0});
+  void build() {
+    beginHierarchy(result_, boxes_);
+    aside_.resize(boxes_.size());
+    FixedStack<Range, kMostDepth + 1> stack;
+    if (!boxes_.empty()) stack.push({0, static_cast<std::uint32_t>(boxes_.size()), kNoParent, 0});
     while (!stack.empty()) {
-      const Range range = stack.back();
-      stack.pop_back();
+      const Range range = stack.pop();
       const std::uint32_t node = appendNode(result_, boxes_, range.parent, objectsOf(range));
       if (range.count <= options_.maxLeafObjects) continue;
       const std::uint32_t left = split(range);
-      stack.push_back({range.first + left, range.count - left, node, range.depth + 1});
-      stack.push_back({range.first, left, node, range.depth + 1});  // on top: the left child is the next node
+      stack.push({range.first + left, range.count - left, node, range.depth + 1});
+      stack.push({range.first, left, node, range.depth + 1});  // on top: the left child is the next node
     }
     finishHierarchy(result_, boxes_);
-    return std::move(result_);
   }
 
  private:
@@ -90,9 +93,13 @@ class Builder {
     if (!cut) return range.count / 2;
     const std::span<std::uint32_t> objects = objectsOf(range);
     const Axis axis = axisOf(range, cut->axis);
-    const auto middle = std::stable_partition(
-        objects.begin(), objects.end(), [&](std::uint32_t object) { return axis.binOf(boxes_[object]) < cut->bin; });
-    return static_cast<std::uint32_t>(middle - objects.begin());
+    // A stable partition that allocates nothing.
+    std::size_t left = 0;
+    std::size_t right = 0;
+    for (const std::uint32_t object : objects)
+      (axis.binOf(boxes_[object]) < cut->bin ? objects[left++] : aside_[right++]) = object;
+    std::copy_n(aside_.begin(), right, objects.subspan(left).begin());
+    return static_cast<std::uint32_t>(left);
   }
 
   Axis axisOf(const Range& range, int axis) {
@@ -151,17 +158,26 @@ class Builder {
     return side.count == 0 ? std::numeric_limits<double>::infinity() : surfaceArea(side.bounds) * side.count;
   }
 
+  SpatialHierarchy& result_;
+  std::vector<std::uint32_t>& aside_;
   std::span<const Aabb> boxes_;
   HierarchyOptions options_;
-  SpatialHierarchy result_;
 };
+
+void rebuild(SpatialHierarchy& hierarchy, std::vector<std::uint32_t>& aside, std::span<const Aabb> boundsWorld,
+             const HierarchyOptions& options) {
+  JAL_CHECK(options.maxLeafObjects >= 1U);
+  requireBoxes(boundsWorld);
+  Builder(hierarchy, aside, boundsWorld, options).build();
+}
 
 }  // namespace
 
 SpatialHierarchy buildHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options) {
-  JAL_CHECK(options.maxLeafObjects >= 1U);
-  requireBoxes(boundsWorld);
-  return Builder(boundsWorld, options).build();
+  SpatialHierarchy hierarchy;
+  std::vector<std::uint32_t> aside;
+  rebuild(hierarchy, aside, boundsWorld, options);
+  return hierarchy;
 }
 
 SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOptions& options) {
@@ -170,11 +186,16 @@ SpatialHierarchy buildHierarchy(const scene::SceneData& scene, const HierarchyOp
 
 std::vector<Aabb> worldBounds(std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
                               std::span<const gpu::Transform> transforms) {
-  std::vector<Aabb> boxes;
-  boxes.reserve(objects.size());
-  for (const gpu::Object& object : objects)
-    boxes.push_back(worldBounds(chains[object.chain], transforms[object.transform]));
+  std::vector<Aabb> boxes(objects.size());
+  worldBoundsInto(boxes, objects, chains, transforms);
   return boxes;
+}
+
+void worldBoundsInto(std::span<Aabb> boxes, std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
+                     std::span<const gpu::Transform> transforms) {
+  JAL_CHECK(boxes.size() == objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    boxes[i] = worldBounds(chains[objects[i].chain], transforms[objects[i].transform]);
 }
 
 double surfaceArea(const Aabb& box) {
@@ -213,13 +234,16 @@ void refit(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld) {
 }
 
 MovingHierarchy::MovingHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options)
-    : options_(options), tree_(buildHierarchy(boundsWorld, options)), builtCost_(costOf(tree_)) {}
+    : options_(options) {
+  rebuild(tree_, aside_, boundsWorld, options_);
+  builtCost_ = costOf(tree_);
+}
 
 bool MovingHierarchy::follow(std::span<const Aabb> boundsWorld) {
   constexpr double kWorst = 1.5;
   refit(tree_, boundsWorld);
   if (!(costOf(tree_) > kWorst * builtCost_)) return false;
-  tree_ = buildHierarchy(boundsWorld, options_);
+  rebuild(tree_, aside_, boundsWorld, options_);
   builtCost_ = costOf(tree_);
   return true;
 }

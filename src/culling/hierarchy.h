@@ -44,13 +44,15 @@ class MovingHierarchy {
   explicit MovingHierarchy(std::span<const Aabb> boundsWorld, const HierarchyOptions& options = {});
 
   const SpatialHierarchy& tree() const { return tree_; }
-  /// Follows the objects. Returns whether the tree was built anew, so that node numbers mean other nodes now.
+  /// Follows the objects. Allocates nothing. Returns whether the tree was built anew, so that node numbers mean other
+  /// nodes now.
   bool follow(std::span<const Aabb> boundsWorld);
 
  private:
   HierarchyOptions options_;
   SpatialHierarchy tree_;
-  double builtCost_;
+  std::vector<std::uint32_t> aside_;  ///< memory for building
+  double builtCost_ = 0.0;
 };
 
 /// World box of one object: the box of its chain, transformed. A coordinate outside the range of float, which the
@@ -60,6 +62,9 @@ Aabb worldBounds(const scene::SceneData& scene, std::uint32_t object);
 /// Of all objects. @param chains, transforms  by the indices of the objects
 std::vector<Aabb> worldBounds(std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
                               std::span<const gpu::Transform> transforms);
+/// The same into an array. @param boxes  [objects.size()] (checked)
+void worldBoundsInto(std::span<Aabb> boxes, std::span<const gpu::Object> objects, std::span<const gpu::Chain> chains,
+                     std::span<const gpu::Transform> transforms);
 
 /// Calls visit(object index) for each object whose box passes the test, in the order of `objects`, and leaves out all
 /// nodes whose box fails it. Needs no stack.

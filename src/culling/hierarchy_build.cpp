@@ -15,11 +15,11 @@ void requireBoxes(std::span<const Aabb> boundsWorld) {
     JAL_CHECK(glm::all(glm::lessThanEqual(box.min, box.max)));
 }
 
-SpatialHierarchy emptyHierarchy(std::span<const Aabb> boundsWorld) {
-  SpatialHierarchy hierarchy;
+void beginHierarchy(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld) {
+  hierarchy.nodes.clear();
+  hierarchy.nodes.reserve(2 * boundsWorld.size());
   hierarchy.objects.resize(boundsWorld.size());
   std::iota(hierarchy.objects.begin(), hierarchy.objects.end(), 0U);
-  return hierarchy;
 }
 
 std::uint32_t appendNode(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWorld, std::uint32_t parent,
@@ -42,8 +42,9 @@ void finishHierarchy(SpatialHierarchy& hierarchy, std::span<const Aabb> boundsWo
     nodes[n].skip = n + 1;
   for (auto n = static_cast<std::uint32_t>(nodes.size()); n-- > 1;)
     nodes[nodes[n].parent].skip = std::max(nodes[nodes[n].parent].skip, nodes[n].skip);
-  for (const std::uint32_t object : hierarchy.objects)
-    hierarchy.objectBounds.push_back(boundsWorld[object]);
+  hierarchy.objectBounds.resize(boundsWorld.size());
+  for (std::size_t i = 0; i < boundsWorld.size(); ++i)
+    hierarchy.objectBounds[i] = boundsWorld[hierarchy.objects[i]];
 }
 
 }  // namespace jalousie::culling

@@ -43,7 +43,9 @@ class DeferredSchedule : public QuerySchedule {
 /// answer, which then counts for the next frame.
 class CoherentFlatSchedule : public QuerySchedule {
  public:
-  using QuerySchedule::QuerySchedule;
+  explicit CoherentFlatSchedule(const SpatialHierarchy& tree) : QuerySchedule(tree) {
+    asked_.reserve(tree.objects.size());
+  }
 
  private:
   void decide() override;

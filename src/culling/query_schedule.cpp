@@ -12,10 +12,14 @@ QuerySchedule::QuerySchedule(const SpatialHierarchy& tree) : tree_(tree) {
 }
 
 void QuerySchedule::resizeHistory() {
+  // A tree that is built anew may have other nodes, but fewer than two an object.
+  history_.reserve(2 * tree_.objects.size());
+  planesOf_.reserve(2 * tree_.objects.size());
+  planesFrame_.reserve(2 * tree_.objects.size());
+  leaves_.reserve(tree_.objects.size());
   history_.assign(tree_.nodes.size(), {});
   planesOf_.assign(tree_.nodes.size(), kAllPlanes);
   planesFrame_.assign(tree_.nodes.size(), 0);
-  leaves_.reserve(tree_.nodes.size() / 2 + 1);
 }
 
 void QuerySchedule::run(const QueryView& view, const QueryOptions& options, QueryDevice& device) {

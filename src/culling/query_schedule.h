@@ -24,7 +24,7 @@ class QuerySchedule {
   QuerySchedule(const QuerySchedule&) = delete;
   QuerySchedule& operator=(const QuerySchedule&) = delete;
 
-  /// Decides and draws one frame. Allocates nothing after the first frames.
+  /// Decides and draws one frame. Allocates nothing but where units of a grid are larger than any before.
   void run(const QueryView& view, const QueryOptions& options, QueryDevice& device);
   /// Forgets past frames. Answers that are still out are taken from the device and dropped.
   void forget(QueryDevice& device);

@@ -16,11 +16,18 @@ enum class QueryMethod : std::uint8_t {
   kCoherentFlat,  ///< leaves front to back; what was visible is drawn before its answer
   kCoherent,      ///< CHC: the same over a hierarchy (Bittner et al. 2004)
   kCoherentPlus,  ///< CHC++: batches, multiqueries, tight bounds (Mattausch et al. 2008)
+  kSlabs,         ///< nested grids, slab by slab (Hillesland et al. 2002)
   kSiblings,      ///< units of equal eye-siding over a loose grid
   kDeferred,      ///< as kBatch, but the device decides without telling
 };
 
-/// @param tree, grid  outlive the schedule   @param grid  for QueryMethod::kSiblings: the grid that `tree` is of
+/// Whether a method works on a LooseGrid.
+bool needsGrid(QueryMethod method);
+/// The grid of a method that needs one.
+GridOptions gridOptions(QueryMethod method);
+
+/// @param tree, grid  outlive the schedule   @param grid  where needsGrid(): the grid that `tree` is of, built with
+/// gridOptions()
 std::unique_ptr<QuerySchedule> makeSchedule(QueryMethod method, const SpatialHierarchy& tree,
                                             const LooseGrid* grid = nullptr);
 

@@ -26,7 +26,7 @@ void SiblingSchedule::visit(const Unit& unit, std::uint32_t depth) {
   for (const std::uint32_t node : visible) {
     if (tree_.isLeaf(node)) drawLeaf(node);
     for (std::uint32_t child = node + 1; child < tree_.nodes[node].skip; child = tree_.nodes[child].skip)
-      next[eyeSiding(grid_.octant[child], grid_.middleWorld[node], view_->eyeWorld)].push_back(child);
+      next[eyeSiding(grid_.place[child], grid_.middleWorld[node], view_->eyeWorld)].push_back(child);
   }
   for (std::size_t sides = next.size(); sides-- > 0;)
     if (!next[sides].empty()) visit(next[sides], depth + 1);

@@ -46,6 +46,13 @@ class Buffer {
     return result;
   }
 
+  /// The same into an array of the caller.
+  template <class T>
+  void readInto(std::span<T> target) const {
+    static_assert(std::is_trivially_copyable_v<T>);
+    readBytes(0, std::as_writable_bytes(target));
+  }
+
   /// glClearNamedBufferData with zeros.
   void clear();
 

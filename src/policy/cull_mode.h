@@ -20,6 +20,7 @@ enum class CullMode : gpu::uint {
   kChcFlat,           ///< leaves front to back; what was visible in the last frame is drawn before its answer
   kChc,               ///< coherent hierarchical culling (Bittner et al. 2004)
   kChcPlusPlus,       ///< CHC++ (Mattausch et al. 2008)
+  kNestedGrid,        ///< nested grids, slab by slab (Hillesland et al. 2002)
   kEyeSiding,         ///< units of equal eye-siding over a loose grid
   kQueryConditional,  ///< batches, drawn by conditional rendering
   kQueryBuffer,       ///< batches whose counts only kernels read

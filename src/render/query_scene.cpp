@@ -32,9 +32,9 @@ MemoryEstimate needsOf(const scene::SceneData& scene) {
 
 }  // namespace
 
-QueryScene::QueryScene(const MethodInputs& inputs, QueryTree kind)
+QueryScene::QueryScene(const MethodInputs& inputs, std::optional<culling::GridOptions> grid)
     : scene_(inputs.scene),
-      kind_(kind),
+      gridOptions_(grid),
       memory_(inputs.memory),
       needs_(inputs.needs),
       slices_(inputs.shaders),
@@ -48,11 +48,12 @@ void QueryScene::allocate() {
   boundsWorld_ = culling::worldBounds(scene_.objects, scene_.chains, scene_.transforms);
   slices_.allocate(scene_, mostNodes(scene_));
   queries_.allocate(mostNodes(scene_));
-  if (kind_ == QueryTree::kBoxes) {
+  if (gridOptions_)
+    grid_ = culling::buildGrid(boundsWorld_, *gridOptions_);
+  else
     boxes_.emplace(boundsWorld_, culling::HierarchyOptions{kLeafObjects});
-  } else {
-    grid_ = culling::buildGrid(boundsWorld_);
-  }
+  transforms_.resize(scene_.transforms.size());
+  chains_.resize(scene_.chains.size());
   setTree();
   allocated_ = true;
 }
@@ -62,17 +63,16 @@ const culling::SpatialHierarchy& QueryScene::tree() const {
 }
 
 void QueryScene::setTree() {
-  order_ = makeSliceOrder(scene_, tree());
+  order_.follow(scene_, tree());
   slices_.setOrder(order_);
   queries_.setBoxes(tree());
   ++version_;
 }
 
 void QueryScene::readBounds(SceneBuffers& buffers) {
-  const std::vector<gpu::Transform> transforms =
-      std::as_const(buffers).transforms().read<gpu::Transform>(buffers.transformCount());
-  const std::vector<gpu::Chain> chains = buffers.chains().read<gpu::Chain>(scene_.chains.size());
-  boundsWorld_ = culling::worldBounds(scene_.objects, chains, transforms);
+  std::as_const(buffers).transforms().readInto(std::span(transforms_));
+  buffers.chains().readInto(std::span(chains_));
+  culling::worldBoundsInto(boundsWorld_, scene_.objects, chains_, transforms_);
 }
 
 void QueryScene::follow(SceneBuffers& buffers) {
@@ -81,7 +81,7 @@ void QueryScene::follow(SceneBuffers& buffers) {
   movement_ = movement;
   readBounds(buffers);
   if (grid_) {
-    *grid_ = culling::buildGrid(boundsWorld_);
+    culling::rebuildGrid(*grid_, boundsWorld_, *gridOptions_);
     setTree();
   } else if (boxes_->follow(boundsWorld_)) {
     setTree();

@@ -12,14 +12,11 @@
 
 namespace jalousie::render {
 
-/// Which hierarchy.
-enum class QueryTree : std::uint8_t { kBoxes, kGrid };
-
 /// Made empty; allocate() does the work when a mode is used for the first time.
 class QueryScene {
  public:
-  /// Builds the programs. Errors: kShader.
-  QueryScene(const MethodInputs& inputs, QueryTree kind);
+  /// Builds the programs. @param grid  over a loose grid; absent: over a bounding volume hierarchy   Errors: kShader.
+  explicit QueryScene(const MethodInputs& inputs, std::optional<culling::GridOptions> grid = {});
 
   /// Builds the hierarchy and all buffers. Nothing after the first time. Errors: kLimit.
   void allocate();
@@ -39,13 +36,15 @@ class QueryScene {
   void setTree();
 
   const scene::SceneData& scene_;
-  QueryTree kind_;
+  std::optional<culling::GridOptions> gridOptions_;
   MemoryLimit memory_;
   const MemoryEstimate& needs_;
   SlicePass slices_;
   QueryPass queries_;
   bool allocated_ = false;
-  std::vector<Aabb> boundsWorld_;  ///< by object
+  std::vector<Aabb> boundsWorld_;           ///< by object
+  std::vector<gpu::Transform> transforms_;  ///< read back
+  std::vector<gpu::Chain> chains_;          ///< read back
   std::optional<culling::MovingHierarchy> boxes_;
   std::optional<culling::LooseGrid> grid_;
   SliceOrder order_;

@@ -20,30 +20,29 @@ void fill(gl::Buffer& buffer, std::span<const T> elements) {
 
 }  // namespace
 
-SliceOrder makeSliceOrder(const scene::SceneData& scene, const culling::SpatialHierarchy& tree) {
-  SliceOrder order;
-  order.objects = tree.objects;
-  order.leafOf.resize(tree.objects.size());
+void SliceOrder::follow(const scene::SceneData& scene, const culling::SpatialHierarchy& tree) {
+  objects = tree.objects;
+  leafOf.resize(tree.objects.size());
   for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
     const culling::HierarchyNode& node = tree.nodes[n];
     for (std::uint32_t i = 0; tree.isLeaf(n) && i < node.objectCount; ++i)
-      order.leafOf[node.firstObject + i] = n;
+      leafOf[node.firstObject + i] = n;
   }
   // A counting sort of the units by the place of their object.
-  const std::vector<gpu::Object>& units = scene.drawn().objects;
-  std::vector<std::uint32_t> placeOf(tree.objects.size());
+  const std::vector<gpu::Object>& drawn = scene.drawn().objects;
+  placeOf.resize(tree.objects.size());
   for (std::uint32_t place = 0; place < tree.objects.size(); ++place)
     placeOf[tree.objects[place]] = place;
-  order.firstUnit.assign(tree.objects.size() + 1, 0);
-  for (const gpu::Object& unit : units)
-    ++order.firstUnit[placeOf[unit.object] + 1];
+  // While units are put in, an entry is the next free place of the object before it.
+  firstUnit.assign(tree.objects.size() + 2, 0);
+  for (const gpu::Object& unit : drawn)
+    ++firstUnit[placeOf[unit.object] + 2];
   for (std::size_t place = 0; place < tree.objects.size(); ++place)
-    order.firstUnit[place + 1] += order.firstUnit[place];
-  std::vector<std::uint32_t> next(order.firstUnit.begin(), order.firstUnit.end() - 1);
-  order.units.resize(units.size());
-  for (std::uint32_t unit = 0; unit < units.size(); ++unit)
-    order.units[next[placeOf[units[unit].object]]++] = unit;
-  return order;
+    firstUnit[place + 2] += firstUnit[place + 1];
+  units.resize(drawn.size());
+  for (std::uint32_t unit = 0; unit < drawn.size(); ++unit)
+    units[firstUnit[placeOf[drawn[unit].object] + 1]++] = unit;
+  firstUnit.pop_back();
 }
 
 SlicePass::SlicePass(const gl::ShaderLibrary& shaders)

@@ -23,13 +23,15 @@ struct SliceOrder {
   std::vector<gpu::uint> units;          ///< [cells, or objects where there are none] by place
   std::vector<std::uint32_t> firstUnit;  ///< [objects + 1] place of an object's first unit
   std::vector<gpu::uint> leafOf;         ///< [objects] by place: leaf of the hierarchy
+  std::vector<std::uint32_t> placeOf;    ///< [objects] by index of the object
 
+  /// Allocates nothing where it has held as many before. @param tree  over the objects of the scene
+  void follow(const scene::SceneData& scene, const culling::SpatialHierarchy& tree);
   /// The units of a range of objects.
   SlicePlaces unitsOf(std::uint32_t firstObject, std::uint32_t count) const {
     return {firstUnit[firstObject], firstUnit[firstObject + count] - firstUnit[firstObject]};
   }
 };
-SliceOrder makeSliceOrder(const scene::SceneData& scene, const culling::SpatialHierarchy& tree);
 
 /// The kernels, and their buffers once they are allocated. CPU twins: visibility::buildSlices, hideObjects.
 class SlicePass {

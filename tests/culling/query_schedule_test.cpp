@@ -17,8 +17,8 @@ namespace {
 using test::RasterDevice;
 
 constexpr QueryMethod kMethods[] = {QueryMethod::kWait,     QueryMethod::kBatch,        QueryMethod::kCoherentFlat,
-                                    QueryMethod::kCoherent, QueryMethod::kCoherentPlus, QueryMethod::kSiblings,
-                                    QueryMethod::kDeferred};
+                                    QueryMethod::kCoherent, QueryMethod::kCoherentPlus, QueryMethod::kSlabs,
+                                    QueryMethod::kSiblings, QueryMethod::kDeferred};
 
 /// Walls and small boxes behind and between them.
 std::vector<Aabb> makeScene(std::size_t count, std::uint64_t seed) {
@@ -48,10 +48,10 @@ struct Machine {
   Machine(QueryMethod method, const std::vector<Aabb>& boxes, const QueryOptions& queryOptions = {},
           std::uint32_t capacity = 400)
       : options(queryOptions),
-        grid(method == QueryMethod::kSiblings ? buildGrid(boxes) : LooseGrid{}),
-        tree(method == QueryMethod::kSiblings ? grid.tree : buildHierarchy(boxes)),
-        device(method == QueryMethod::kSiblings ? grid.tree : tree, {}, queryOptions.threshold, capacity),
-        schedule(makeSchedule(method, method == QueryMethod::kSiblings ? grid.tree : tree, &grid)) {}
+        grid(needsGrid(method) ? buildGrid(boxes, gridOptions(method)) : LooseGrid{}),
+        tree(needsGrid(method) ? grid.tree : buildHierarchy(boxes)),
+        device(needsGrid(method) ? grid.tree : tree, {}, queryOptions.threshold, capacity),
+        schedule(makeSchedule(method, needsGrid(method) ? grid.tree : tree, &grid)) {}
 
   void frame(const scene::Camera& camera) {
     const QueryView view = viewOf(camera);
@@ -199,6 +199,7 @@ TEST(QuerySchedule, EachRungOfTheLadderSavesWhatItsPaperSays) {
   EXPECT_EQ(settledFigures(QueryMethod::kDeferred).queryWaits, 0U);
   QueryOptions alone;
   alone.unitsTogether = false;
+  EXPECT_LT(2 * settledFigures(QueryMethod::kSlabs).queryWaits, settledFigures(QueryMethod::kSlabs).queries);
   EXPECT_LT(2 * settledFigures(QueryMethod::kSiblings).queryWaits,
             settledFigures(QueryMethod::kSiblings, alone).queryWaits);
 }
@@ -237,7 +238,7 @@ TEST(QuerySchedule, ForgettingTakesBackEveryQuery) {
 
 TEST(QuerySchedule, FollowsObjectsThatMove) {
   for (const QueryMethod method : kMethods) {
-    if (method == QueryMethod::kSiblings) continue;  // its grid is built anew
+    if (needsGrid(method)) continue;  // it is built anew
     std::vector<Aabb> boxes = makeScene(200, 7);
     Machine machine(method, boxes);
     Random random(1);

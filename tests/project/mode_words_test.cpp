@@ -13,7 +13,8 @@ namespace {
 
 /// Lines of the text that compare with the name of a mode or use a mode's constant, each after "NAME:LINE: ".
 std::vector<std::string> modeWords(const std::string& name, const std::string& text) {
-  static const std::string kName = R"re("(hom|hom-depth|hiz|frustum|full|query-[a-z]+|chc(-flat|\+\+)?|eye-siding)")re";
+  static const std::string kName =
+      R"re("(hom|hom-depth|hiz|frustum|full|query-[a-z]+|chc(-flat|\+\+)?|nested-grid|eye-siding)")re";
   static const std::regex kModeWord(
       "[!=]=\\s*" + kName + "|" + kName +
       R"(\s*[!=]=|\bkCull([A-Z]\w*)?\b)"

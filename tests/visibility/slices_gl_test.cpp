@@ -49,7 +49,6 @@ class SlicesGl : public test::GlTest {
     explicit Kernels(const scene::SceneData& sceneData, const FramePolicy& policy)
         : scene(sceneData),
           tree(culling::buildHierarchy(scene)),
-          order(render::makeSliceOrder(scene, tree)),
           buffers(scene),
           store(buffers.objectCount(), buffers.cellCount()),
           pass(store),
@@ -58,6 +57,7 @@ class SlicesGl : public test::GlTest {
       view.cellCount = buffers.cellCount();
       pass.setView(view);
       slices.allocate(scene, static_cast<std::uint32_t>(tree.nodes.size()));
+      order.follow(scene, tree);
       slices.setOrder(order);
       objects = randomDecisions(scene, 5);
       upload(store.states, objects.states);

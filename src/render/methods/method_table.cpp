@@ -14,8 +14,9 @@ namespace {
 
 /// What several methods share.
 struct SharedParts {
-  std::shared_ptr<QueryScene> boxes;  ///< the scene over a bounding volume hierarchy
-  std::shared_ptr<QueryScene> grid;   ///< and over a loose grid
+  std::shared_ptr<QueryScene> boxes;   ///< the scene over a bounding volume hierarchy
+  std::shared_ptr<QueryScene> grid;    ///< over a loose grid
+  std::shared_ptr<QueryScene> nested;  ///< and over nested grids
 };
 
 std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared) {
@@ -43,6 +44,8 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared)
       return query(culling::QueryMethod::kCoherentPlus);
     case CullMode::kEyeSiding:
       return std::make_unique<QueryMethod>(shared.grid, culling::QueryMethod::kSiblings);
+    case CullMode::kNestedGrid:
+      return std::make_unique<QueryMethod>(shared.nested, culling::QueryMethod::kSlabs);
     case CullMode::kQueryConditional:
       return query(culling::QueryMethod::kDeferred);
     case CullMode::kQueryBuffer:
@@ -54,8 +57,11 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared)
 }  // namespace
 
 MethodTable::MethodTable(const MethodInputs& inputs) {
-  const SharedParts shared{std::make_shared<QueryScene>(inputs, QueryTree::kBoxes),
-                           std::make_shared<QueryScene>(inputs, QueryTree::kGrid)};
+  const auto overGrid = [&](culling::QueryMethod method) {
+    return std::make_shared<QueryScene>(inputs, culling::gridOptions(method));
+  };
+  const SharedParts shared{std::make_shared<QueryScene>(inputs), overGrid(culling::QueryMethod::kSiblings),
+                           overGrid(culling::QueryMethod::kSlabs)};
   for (const CullModeRow& row : cullModeTable()) {
     std::unique_ptr<CullMethod> method = makeMethod(row.id, shared);
     const bool known = method != nullptr;

@@ -1,0 +1,112 @@
+// Following moved objects, building anew and deciding a frame allocate nothing once memory has been seen to suffice.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "core/random.h"
+#include "culling/hierarchy.h"
+#include "culling/loose_grid.h"
+#include "culling/schedule_table.h"
+#include "scene/camera.h"
+
+namespace {
+
+std::atomic<std::uint64_t> allocations = 0;
+
+void* allocate(std::size_t bytes) {
+  ++allocations;
+  void* memory = std::malloc(bytes == 0 ? 1 : bytes);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// For this whole program.
+void* operator new(std::size_t bytes) {
+  return allocate(bytes);
+}
+void* operator new[](std::size_t bytes) {
+  return allocate(bytes);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace jalousie::culling {
+namespace {
+
+std::vector<Aabb> scattered(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec3 low(random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-10, 10));
+    boxes.push_back({low, low + glm::vec3(random.uniform(0.1F, 2.0F))});
+  }
+  return boxes;
+}
+
+/// Every third node is hidden.
+class FixedAnswers : public QueryDevice {
+ public:
+  std::uint32_t capacity() const override { return 400; }
+
+ private:
+  Query startQuery(std::span<const std::uint32_t> nodes) override { return nodes[0]; }
+  std::uint64_t takeAnswer(Query query) override { return query % 3; }
+  void drawObjects(std::uint32_t, std::uint32_t) override {}
+  void drawConditionally(std::span<const Conditional>) override {}
+};
+
+TEST(Allocation, TreesThatAreBuiltAnewUseTheirOwnMemory) {
+  const std::vector<Aabb> other = scattered(2);
+  MovingHierarchy hierarchy(scattered(1));
+  LooseGrid grid = buildGrid(scattered(1));
+  const std::uint64_t before = allocations;
+  EXPECT_TRUE(hierarchy.follow(other)) << "built anew";
+  rebuildGrid(grid, other);
+  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(hierarchy.tree().objects, buildHierarchy(other).objects);
+  EXPECT_EQ(grid.tree.objects, buildGrid(other).tree.objects);
+}
+
+/// From the second frame on, of a view that is kept: units of grids have grown to their size.
+TEST(Allocation, FramesAllocateNothing) {
+  const std::vector<Aabb> boxes = scattered(1);
+  const glm::uvec2 viewport(40);
+  const scene::Camera camera = scene::lookAt({18, 3, 4}, glm::vec3(0), {glm::vec3(-10), glm::vec3(10)});
+  const QueryView view =
+      makeQueryView(scene::clipFromWorld(camera, 1.0F), glm::vec4(camera.positionWorld(), camera.zNear),
+                    glm::vec4(camera.forwardWorld(), 0.0F), scene::focalPixels(camera, viewport), viewport);
+  for (const QueryMethod method :
+       {QueryMethod::kWait, QueryMethod::kBatch, QueryMethod::kCoherentFlat, QueryMethod::kCoherent,
+        QueryMethod::kCoherentPlus, QueryMethod::kSlabs, QueryMethod::kSiblings, QueryMethod::kDeferred}) {
+    const LooseGrid grid = buildGrid(boxes, needsGrid(method) ? gridOptions(method) : GridOptions{});
+    const SpatialHierarchy tree = needsGrid(method) ? grid.tree : buildHierarchy(boxes);
+    FixedAnswers device;
+    const std::unique_ptr<QuerySchedule> schedule = makeSchedule(method, tree, &grid);
+    schedule->run(view, {}, device);
+    std::uint64_t allocated = 0;
+    for (int frame = 0; frame < 24; ++frame) {
+      const std::uint64_t before = allocations;
+      schedule->run(view, {}, device);
+      allocated += allocations - before;
+    }
+    EXPECT_EQ(allocated, 0U) << "method " << static_cast<int>(method);
+    EXPECT_GT(device.figures().queries, 20U);
+  }
+}
+
+}  // namespace
+}  // namespace jalousie::culling
