@@ -201,7 +201,12 @@ void Experiment::approach(render::FrameRenderer& renderer, const render::FrameOp
 /// On a path without gaps, brings the renderers to the state that they would have without an interruption: renders all
 /// frames before `frame` that they have not rendered, and reads the pictures of the last one.
 void Experiment::catchUp(std::uint32_t frame) {
-  for (std::uint32_t k = lastFrame_ ? *lastFrame_ + 1 : inputs_.plan.range.first; k < frame; ++k) {
+  const std::uint32_t first = inputs_.plan.range.first;
+  if (!lastFrame_) {
+    for (std::size_t c = 0; c < inputs_.configurations.size(); ++c)
+      approach(renderer(c), inputs_.configurations[c].frame, first);
+  }
+  for (std::uint32_t k = lastFrame_ ? *lastFrame_ + 1 : first; k < frame; ++k) {
     for (std::size_t c = 0; c < inputs_.configurations.size(); ++c) {
       render::FrameOptions quiet = inputs_.configurations[c].frame;
       quiet.skipDraw = k + 1 < frame || inputs_.plan.reference == Reference::kNone;
@@ -237,7 +242,7 @@ std::vector<Sample> Experiment::runFrame(std::uint32_t frame) {
   if (isContinuous()) catchUp(frame);
   std::vector<Sample> samples(count);
   std::vector<Shown> shown(count);
-  const bool hasPredecessor = isContinuous() ? frame > plan.range.first : std::min(frame, plan.lead) > 0;
+  const bool hasPredecessor = (isContinuous() && frame > plan.range.first) || std::min(frame, plan.lead) > 0;
   const std::size_t offset = (frame - plan.range.first) / plan.range.step;
   for (std::size_t turn = 0; turn < count; ++turn) {
     // The first configuration changes from frame to frame, so that none always runs after the same neighbour.

@@ -401,7 +401,7 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
                     {"last", plan.range.last},
                     {"step", plan.range.step},
                     {"count", plan.range.frames().size()},
-                    {"lead", plan.range.step > 1 ? plan.lead : 0},
+                    {"lead", plan.lead},
                     {"kept", plan.keptFrames()}};
   json["reference"] = references[static_cast<int>(plan.reference)];
   json["pixels_per_degree"] = plan.pixelsPerDegree;

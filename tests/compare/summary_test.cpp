@@ -380,10 +380,10 @@ TEST(SummaryJson, SaysWhatWasMeasuredAndWhere) {
   EXPECT_EQ(summary["configurations"][0]["lod_histogram_mean"], (std::vector<double>{10, 20}));
 }
 
-TEST(SummaryJson, LeadCountsOnlyWhereFramesAreLeftOut) {
+TEST(SummaryJson, NamesLeadAndCount) {
   Plan plan = planOf();
   plan.lead = 5;
-  EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["lead"], 0);
+  EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["lead"], 5);
   plan.range.step = 3;
   EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["lead"], 5);
   EXPECT_EQ(summaryOf({}, {"one"}, plan)["frames"]["count"], 4);

@@ -18,7 +18,8 @@ function explanations() {
   const { step, lead } = frames;
   const gaps = step > 1
     ? ` Every ${step}th frame was measured. ${lead} frames before each of them were rendered without being measured, `
-      + 'so that the history is as on the whole path.' : '';
+      + 'so that the history is as on the whole path.'
+    : ` Up to ${lead} frames before the first one were rendered without being measured.`;
   const planned = frames.kept?.length ?? 0;
   const spread = planned > 1 ? ` The pictures of ${planned} frames, evenly spread, were kept for this page.` : '';
   const pairs = [
