@@ -10,7 +10,7 @@ if (!page) {
 const SCENES = [
   ['queries-thesis-5001', 'thesis-5001: 5001 bunnies in a dense cube'],
   ['queries-thesis-10001-moving', 'thesis-10001, half of the objects moving'],
-  ['queries-ground', '2000 bunnies of random size on a ground plane'],
+  ['queries-ground', '4000 bunnies of random size on a ground plane, the camera among them'],
   ['queries-city', 'candela_city, along a street'],
   ['queries-field', 'cornfield_crossing, along a field'],
 ];

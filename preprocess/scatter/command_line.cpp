@@ -123,7 +123,7 @@ Layout resolveLayout(const Given& given, std::uint64_t seed) {
   const std::uint64_t most = asset::Limits{}.maxInstances;
   if (layout.count < 1 || layout.count > most) usage(fmt::format("--count must be 1 to {}", most));
   if (given.layout == "ground") layout.shape = Shape::kGround;
-  if (given.preset.empty()) {
+  if (given.preset.empty() || layout.shape == Shape::kGround) {
     const auto count = static_cast<double>(layout.count);
     const double along = layout.shape == Shape::kGround ? std::sqrt(count) : std::cbrt(count);
     layout.sideDiagonals = static_cast<float>(kDefaultSpacing * along);

@@ -1,8 +1,10 @@
 // Places objects by rejection sampling. It uses only sums, products and square roots, which all machines round alike.
 #include "scatter/layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "core/random.h"
 
@@ -49,10 +51,14 @@ float sideOf(const Layout& layout, const SourceAsset& source) {
 
 float standOnGround(std::vector<Placement>& placements, const SourceAsset& source) {
   const auto depthOf = [&](const Placement& placed) {
-    Aabb box;
-    for (const SourcePart& part : source.parts)
-      box.add(boundsOf(instancesOf({{glm::vec3(0.0F), placed.turn, placed.factor}}, source, part), part.boxObject));
-    return box.min.y;
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const SourcePart& part : source.parts) {
+      const asset::Instances instances = instancesOf({{glm::vec3(0.0F), placed.turn, placed.factor}}, source, part);
+      for (std::size_t i = 0; i < instances.translations.size(); ++i)
+        for (const glm::vec3& p : part.outermost)
+          lowest = std::min(lowest, (instances.translations[i] + instances.rotations[i] * (instances.scales[i] * p)).y);
+    }
+    return lowest;
   };
   const float ground = placements.front().place.y + depthOf(placements.front());
   for (Placement& placed : placements)

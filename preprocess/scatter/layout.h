@@ -27,8 +27,9 @@ struct Placement {
 /// cube [-side/2, side/2]^3, or in its middle plane y = 0. Deterministic in layout and side.
 std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress);
 
-/// Moves objects up or down so that all stand as low as the first one, which stays. Boxes decide.
-/// @param placements  not empty   @return  y of the ground, world units
+/// Moves objects up or down so that the lowest vertices of all are as low as those of the first one, which stays.
+/// @param placements  not empty   @param source  with the outermost vertices (findOutermost)
+/// @return  y of the ground, world units
 float standOnGround(std::vector<Placement>& placements, const SourceAsset& source);
 
 /// The instances of a part: for each object all poses of the part.

@@ -292,7 +292,8 @@ void requireRepresentable(const Aabb& box) {
 
 ScatteredScene scatterObjects(Model input, const Options& options, Progress& progress) {
   const Layout& layout = options.layout;
-  const SourceAsset source = findSourceAsset(input);
+  SourceAsset source = findSourceAsset(input);
+  if (layout.shape == Shape::kGround) findOutermost(input, source);
   ScatteredScene scene;
   Summary& summary = scene.summary;
   summary.side = sideOf(layout, source);

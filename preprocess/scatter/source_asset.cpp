@@ -92,15 +92,46 @@ std::vector<Pose> posesOf(const Model& model, const Visit& visit) {
   return poses;
 }
 
-Aabb boxOf(const Model& model, int mesh) {
-  Aabb box;
+std::vector<glm::vec3> positionsOf(const Model& model, int mesh) {
+  std::vector<glm::vec3> positions;
   for (const tinygltf::Primitive& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives) {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) continue;
-    for (const glm::vec3& p : asset::readVec3(model, position->second, asset::Limits{}.maxAccessorElements))
-      box.add(p);
+    const std::vector<glm::vec3> more = asset::readVec3(model, position->second, asset::Limits{}.maxAccessorElements);
+    positions.insert(positions.end(), more.begin(), more.end());
   }
+  return positions;
+}
+
+Aabb boxOf(const Model& model, int mesh) {
+  Aabb box;
+  for (const glm::vec3& p : positionsOf(model, mesh))
+    box.add(p);
   return box;
+}
+
+/// The points that lie farthest in the directions of a lattice around the origin, each once, in their order.
+std::vector<glm::vec3> outermostOf(const std::vector<glm::vec3>& points) {
+  constexpr int kReach = 3;
+  std::vector<std::size_t> found;
+  for (int x = -kReach; x <= kReach; ++x) {
+    for (int y = -kReach; y <= kReach; ++y) {
+      for (int z = -kReach; z <= kReach; ++z) {
+        const glm::vec3 direction(x, y, z);
+        const auto nearer = [&](const glm::vec3& a, const glm::vec3& b) {
+          return glm::dot(a, direction) < glm::dot(b, direction);
+        };
+        const auto farthest = std::max_element(points.begin(), points.end(), nearer);
+        if (farthest != points.end()) found.push_back(static_cast<std::size_t>(farthest - points.begin()));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::vector<glm::vec3> outermost;
+  for (const std::size_t i : found)
+    outermost.push_back(points[i]);
+  return outermost;
 }
 
 /// The part of a node but for its triangles and its box.
@@ -195,6 +226,11 @@ SourceAsset findSourceAsset(const Model& model) {
   if (!std::isfinite(source.diagonal) || !(source.diagonal > 0.0F))
     throw Error(ErrorCode::kUnsupported, "the meshes to scatter have no size");
   return source;
+}
+
+void findOutermost(const Model& model, SourceAsset& source) {
+  for (SourcePart& part : source.parts)
+    part.outermost = outermostOf(positionsOf(model, part.meshes.front()));
 }
 
 }  // namespace jalousie::scatter

@@ -12,8 +12,11 @@ layout(std140, binding = kBindingSliceView) uniform SliceViewBlock { SliceView s
 layout(binding = kUnitImportance) uniform sampler2D importanceMask;
 
 void main() {
+  // The texture may be larger than the mask: its sides are powers of two.
+  ivec2 size = ivec2(cullView.importanceWidth, cullView.importanceHeight);
   vec2 place = gl_FragCoord.xy / vec2(cullView.viewportWidth, cullView.viewportHeight);
-  if (textureLod(importanceMask, place, 0.0).r < sliceView.importance) discard;
+  ivec2 texel = min(ivec2(place * vec2(size)), size - 1);
+  if (texelFetch(importanceMask, texel, 0).r < sliceView.importance) discard;
 }
 #else
 void main() {}

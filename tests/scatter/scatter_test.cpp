@@ -200,13 +200,23 @@ tinygltf::Model toy() {
   return model;
 }
 
-TEST(Scatter, TurnedAndComposedObjectsStandOnTheGroundWithTheirBoxes) {
+TEST(Scatter, TurnedAndComposedObjectsStandOnTheGround) {
+  constexpr std::size_t kObjects = 12;
   const ScatteredScene scene =
-      scatter(parse({"--count", "12", "--layout", "ground", "--rotate", "any", "--moving", "0.5"}), toy());
+      scatter(parse({"--count", "12", "--layout", "ground", "--rotate", "any", "--scale", "0.5,2"}), toy());
   const asset::SceneFile file = readBack(scene);
-  const float top = scene.summary.boundsWorld.min.y;
-  for (const asset::Instance& instance : file.instances)
-    EXPECT_GT(lowestOf(file, instance), top - 1e-3F);
+  ASSERT_EQ(file.instances.size(), 4 * kObjects + 1);
+  const asset::Instance& slab = file.instances.back();
+  float top = -std::numeric_limits<float>::infinity();
+  for (const glm::vec3& p : file.meshes[file.chains[slab.chain].levels[0].mesh].primitives[0].positions)
+    top = std::max(top, (slab.worldFromObject * glm::vec4(p, 1.0F)).y);
+  for (std::size_t object = 0; object < kObjects; ++object) {  // 12 balls, 12 hands, then 2 wheels for each object
+    const std::size_t parts[] = {object, kObjects + object, 2 * kObjects + 2 * object, 2 * kObjects + 2 * object + 1};
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const std::size_t part : parts)
+      lowest = std::min(lowest, lowestOf(file, file.instances[part]));
+    EXPECT_NEAR(lowest, top, 0.1F) << object << ", 1 % of its size";
+  }
 }
 
 /// The scene's transforms of one mesh after the other, in the order of the file.

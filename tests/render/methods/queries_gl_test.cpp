@@ -122,6 +122,21 @@ TEST_F(QueriesGl, SamplesOutsideOfTheImportantRegionDoNotCount) {
   }
 }
 
+/// The texture of a mask has sides that are powers of two, and is larger than this one.
+TEST_F(QueriesGl, AWhiteMaskChangesNothing) {
+  const visibility::ImportanceMask mask(ImageRgba8{16, 9, std::vector<std::uint8_t>(16 * 9 * 4, 255)});
+  for (const CullMode mode : queryModes()) {
+    FrameOptions frameOptions = options(mode);
+    FrameRenderer without(scene_, kMethodWidth, kMethodHeight);
+    FrameRenderer with(scene_, kMethodWidth, kMethodHeight, {.importance = &mask});
+    without.render(frameOptions, camera_, camera_);
+    frameOptions.queries.importance = 1.0F;
+    with.render(frameOptions, camera_, camera_);
+    EXPECT_EQ(with.readStatistics().drawn, without.readStatistics().drawn) << rowOf(mode).name;
+    EXPECT_EQ(with.readImage().pixels, without.readImage().pixels) << rowOf(mode).name;
+  }
+}
+
 TEST_F(QueriesGl, OptionsChangeCountsAndNeverThePicture) {
   FrameRenderer everything(scene_, 160, 90);
   everything.render(options(CullMode::kFull), camera_, camera_);
