@@ -397,12 +397,8 @@ ordered_json summaryJson(const Results& results, const std::vector<Configuration
   json["ignored"] = ordered_json(circumstances.ignored);
   json["width"] = plan.width;
   json["height"] = plan.height;
-  json["frames"] = {{"first", plan.range.first},
-                    {"last", plan.range.last},
-                    {"step", plan.range.step},
-                    {"count", plan.range.frames().size()},
-                    {"lead", plan.lead},
-                    {"kept", plan.keptFrames()}};
+  json["frames"] = {{"first", plan.range.first},           {"last", plan.range.last}, {"step", plan.range.step},
+                    {"count", plan.range.frames().size()}, {"lead", plan.lead},       {"kept", plan.keptFrames()}};
   json["reference"] = references[static_cast<int>(plan.reference)];
   json["pixels_per_degree"] = plan.pixelsPerDegree;
   json["baseline"] = configurations[plan.baseline].name;
