@@ -229,10 +229,12 @@ TriangleBvh::Float4 TriangleBvh::packetDistances(const Packet& packet, const glm
   return inside ? smaller(plane, edges) : edges;
 }
 
-inline void TriangleBvh::searchPacket(const Packet& packet, const glm::vec3& point, Search& search) {
+template <class Accepts>
+inline void TriangleBvh::searchPacket(const Packet& packet, const glm::vec3& point, const Accepts& accepts,
+                                      Search& search) {
   const Float4 distances = packetDistances(packet, point);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (!(distances[k] < search.best)) continue;
+    if (!(distances[k] < search.best) || !accepts(packet.id[k])) continue;
     search.best = distances[k];
     search.triangle = packet.id[k];
   }
@@ -255,6 +257,34 @@ inline void TriangleBvh::pushChildren(const Node& node, const Vec4& p, Search& s
   }
 }
 
+template <class Accepts>
+inline void TriangleBvh::search(const glm::vec3& point, const Accepts& accepts, Search& search) const {
+  search.stack[search.size++] = {root_, 0.0F};
+  const glm::vec3 scaled = scale_ * point;
+  const Vec4 p = {all(scaled.x), all(scaled.y), all(scaled.z)};
+  while (search.size > 0) {
+    const Search::Entry entry = search.stack[--search.size];
+    if (entry.distance2 > search.best) continue;
+    if ((entry.node & kLeaf) != 0) {
+      searchPacket(packets_[entry.node & ~kLeaf], scaled, accepts, search);
+    } else {
+      pushChildren(nodes_[entry.node], p, search);
+    }
+  }
+}
+
+NearestPoint TriangleBvh::nearestWhere(const glm::vec3& point, double most,
+                                       const std::function<bool(std::uint32_t)>& accepts) const {
+  Search search;
+  search.best = static_cast<float>(most * most * scale_ * scale_);
+  this->search(point, accepts, search);
+  if (search.triangle == kNoSeed) return {};
+  const Corners& t = triangles_[search.triangle];
+  NearestPoint result = nearestOnTriangle(point, t.a, t.b, t.c);
+  result.triangle = search.triangle;
+  return result;
+}
+
 NearestPoint TriangleBvh::nearest(const glm::vec3& point, std::uint32_t seed) const {
   Search search;
   search.triangle = seed;
@@ -263,18 +293,8 @@ NearestPoint TriangleBvh::nearest(const glm::vec3& point, std::uint32_t seed) co
     const double scale2 = double{scale_} * scale_;
     search.best = static_cast<float>(nearestOnTriangle(point, t.a, t.b, t.c).distance2 * scale2) * 1.00001F;
   }
-  search.stack[search.size++] = {root_, 0.0F};
-  const glm::vec3 scaled = scale_ * point;
-  const Vec4 p = {all(scaled.x), all(scaled.y), all(scaled.z)};
-  while (search.size > 0) {
-    const Search::Entry entry = search.stack[--search.size];
-    if (entry.distance2 > search.best) continue;
-    if ((entry.node & kLeaf) != 0) {
-      searchPacket(packets_[entry.node & ~kLeaf], scaled, search);
-    } else {
-      pushChildren(nodes_[entry.node], p, search);
-    }
-  }
+  this->search(
+      point, [](std::uint32_t) { return true; }, search);
   // If all distances overflowed, any triangle will do.
   const std::uint32_t triangle = search.triangle == kNoSeed ? 0 : search.triangle;
   const Corners& t = triangles_[triangle];

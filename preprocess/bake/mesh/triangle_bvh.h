@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <limits>
 #include <span>
@@ -38,6 +39,10 @@ class TriangleBvh {
   /// computed in double. Safe to call from several threads.
   /// @param seed  a triangle that is probably near: the search starts with its distance
   NearestPoint nearest(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
+  /// Nearest point among the triangles that a test accepts; distance2 is infinite if none is nearer than `most`.
+  /// @param most  distance, object-space length; a small one makes the search short
+  NearestPoint nearestWhere(const glm::vec3& point, double most,
+                            const std::function<bool(std::uint32_t)>& accepts) const;
   /// Distance to the nearest point of the mesh, object-space length.
   double distance(const glm::vec3& point, std::uint32_t seed = kNoSeed) const;
   /// Corners of triangle t.
@@ -85,7 +90,10 @@ class TriangleBvh {
   static std::size_t split(std::span<Item> items);
   std::uint32_t makePacket(std::span<const Item> items, Box& box);
   static Float4 packetDistances(const Packet& packet, const glm::vec3& p);
-  static void searchPacket(const Packet& packet, const glm::vec3& point, Search& search);
+  template <class Accepts>
+  static void searchPacket(const Packet& packet, const glm::vec3& point, const Accepts& accepts, Search& search);
+  template <class Accepts>
+  void search(const glm::vec3& point, const Accepts& accepts, Search& search) const;
   /// Pushes the children of a node that may hold a nearer triangle, the nearest last.
   static void pushChildren(const Node& node, const Vec4& point, Search& search);
 

@@ -13,6 +13,7 @@
 #include "bake/simplify/collapse_error.h"
 #include "bake/simplify/collapse_queue.h"
 #include "bake/simplify/collapse_topology.h"
+#include "bake/simplify/part_removal.h"
 #include "core/check.h"
 
 namespace jalousie::bake {
@@ -54,6 +55,7 @@ struct EdgeCollapser::Data {
     scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
     center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
     classes = classifyParts(mesh, edges, parts, scale);
+    removal.emplace(mesh, parts, classes, scale);
     for (const LoosePart& part : parts.parts)
       aliveOfPart.push_back(part.faceCount);
     for (const MeshEdge& edge : edges.edges) {
@@ -78,6 +80,7 @@ struct EdgeCollapser::Data {
   CollapseTopology topology;
   LooseParts parts;
   PartClasses classes;
+  std::optional<PartRemoval> removal;
   std::vector<std::uint32_t> aliveOfPart;  ///< faces
   std::vector<std::uint32_t> parent;       ///< vertex it was merged into
   std::vector<std::uint32_t> placeOf;      ///< vertex of the source whose position it has bit for bit, or kNone
@@ -123,8 +126,10 @@ struct EdgeCollapser::State : Data {
     for (const MeshEdge& edge : edges.edges)
       if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
     for (std::uint32_t p = 0; p < parts.parts.size(); ++p)
-      if (p != parts.largest) queue.push({static_cast<float>(classes.costs[p]), p, kNone, 0});
+      if (p != parts.largest) queue.push({costOfRemoval(p), p, kNone, 0});
   }
+
+  float costOfRemoval(std::uint32_t p) const { return static_cast<float>(removal->cost(p, aliveOfPart)); }
 
   std::optional<Candidate> assess(std::uint32_t u, std::uint32_t v) {
     if (u > v) std::swap(u, v);
@@ -228,7 +233,9 @@ struct EdgeCollapser::State : Data {
       const auto [a, b] = CollapseTopology::others(corner);
       if (topology.vertexAt(a) != v && topology.vertexAt(b) != v) return;
       topology.remove(corner / 3);
-      --aliveOfPart[classes.partOfVertex[u]];
+      const std::uint32_t part = classes.partOfVertex[u];
+      if (--aliveOfPart[part] == PartRemoval::kBox && part != parts.largest)
+        queue.push({costOfRemoval(part), part, kNone, 0});
     });
     std::array<std::uint32_t, WedgeMerge::kMost> representative;
     representative.fill(kNone);
@@ -266,14 +273,19 @@ struct EdgeCollapser::State : Data {
   }
 
   /// Removes a loose part unless fewer than `least` triangles would remain.
-  Outcome removePart(std::uint32_t p, std::uint32_t least) {
+  Outcome removePart(std::uint32_t p, float cost, std::uint32_t least) {
     const LoosePart& part = parts.parts[p];
     if (!keptParts.empty() && keptParts[p] != 0) return Outcome::kIllegal;
     const auto facesOf = std::span(parts.faces).subspan(part.firstFace, part.faceCount);
     std::uint32_t alive = 0;
     for (const std::uint32_t face : facesOf)
       alive += topology.isAlive(face) ? 1U : 0U;
+    if (alive == 0) return Outcome::kLater;
     if (topology.faces() - alive < least) return Outcome::kIllegal;
+    if (const float now = costOfRemoval(p); now > cost * 1.0001F) {
+      queue.push({now, p, kNone, 0});
+      return Outcome::kLater;
+    }
     for (const std::uint32_t face : facesOf) {
       if (!topology.isAlive(face)) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -318,7 +330,8 @@ struct EdgeCollapser::State : Data {
       }
       const Candidate candidate = queue.pop();
       if (isStale(candidate)) continue;
-      const Outcome outcome = candidate.v == kNone ? removePart(candidate.u, least) : tryCollapse(candidate);
+      const Outcome outcome =
+          candidate.v == kNone ? removePart(candidate.u, candidate.cost, least) : tryCollapse(candidate);
       if (outcome == Outcome::kIllegal) waiting.push_back(candidate);
       if (outcome == Outcome::kDone) noteCost(double{candidate.cost});
     }

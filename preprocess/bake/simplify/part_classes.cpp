@@ -115,6 +115,8 @@ PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const L
   classes.classOf.assign(parts.parts.size(), PartClasses::kNone);
   const std::vector<double> radii = radiiOf(mesh, classes.partOfVertex, parts.parts.size());
   std::map<std::array<int, 3>, std::vector<std::uint32_t>> groups;
+  std::map<std::array<int, 3>, std::vector<std::uint32_t>> closed;
+  classes.isOneOfMany.assign(parts.parts.size(), 0);
   std::map<std::uint32_t, double> areaOfPrimitive;
   double areaOfMesh = 0.0;
   const auto costOf = [&](const LoosePart& part) {
@@ -124,13 +126,19 @@ PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const L
   for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
     const LoosePart& part = parts.parts[p];
     classes.costs.push_back(costOf(part));
-    if (!(part.area > 0.0) || !isOpen[p]) continue;
+    if (!(part.area > 0.0)) continue;
     const int size = static_cast<int>(std::floor(0.5 * std::log2(part.area / (scale * scale))));
     const int length = static_cast<int>(std::floor(std::log2(radii[p] / scale)));
-    groups[{static_cast<int>(primitiveOfPart(mesh, parts, p)), size, length}].push_back(p);
+    auto& kind = isOpen[p] ? groups : closed;
+    kind[{static_cast<int>(primitiveOfPart(mesh, parts, p)), size, length}].push_back(p);
+    if (!isOpen[p]) continue;
     areaOfPrimitive[primitiveOfPart(mesh, parts, p)] += part.area;
     areaOfMesh += part.area;
   }
+  for (const auto* kind : {&groups, &closed})
+    for (const auto& [key, members] : *kind)
+      for (const std::uint32_t p : members)
+        classes.isOneOfMany[p] = members.size() >= PartClasses::kLeastInClass ? 1 : 0;
   for (auto& [key, members] : groups) {
     if (members.size() < PartClasses::kLeastInClass) continue;
     const auto number = static_cast<std::uint32_t>(classes.areas.size());

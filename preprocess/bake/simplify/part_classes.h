@@ -23,6 +23,7 @@ struct PartClasses {
   std::vector<double> areas;                ///< of each class, object space
   std::vector<std::uint32_t> sizes;         ///< parts of each class
   std::vector<double> extents;              ///< of each class, diagonal of the box of all its parts, object space
+  std::vector<std::uint8_t> isOneOfMany;    ///< of each part: 1 if kLeastInClass or more are like it, open or closed
   std::vector<double> costs;                ///< of removing each part, unit frame; comparable to those of collapses
 };
 
