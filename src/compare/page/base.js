@@ -103,13 +103,19 @@ const DASHES = [[], [], [7, 3], [2, 2.5], [10, 3, 2, 3], [12, 4], [4, 2], [7, 2,
 const COLORS = 8;
 const TICK_LABEL = 11;
 
-/// Index into the lists above: the baseline has the first entry, the other configurations share the rest.
+/// Index of a colour: the baseline has the first one, the other configurations share the rest.
 function styleOf(index) {
   if (index === baseline) return 0;
   const place = index < baseline ? index : index - 1;
   return 1 + (place % (COLORS - 1));
 }
-const dashOf = (index) => (DASHES[styleOf(index)].length ? DASHES[styleOf(index)] : 'solid');
+/// Index of a mark and of dashes. Where colours repeat, marks are others: up to 49 configurations differ.
+function markOf(index) {
+  if (index === baseline) return 0;
+  const place = index < baseline ? index : index - 1;
+  return 1 + ((place + 3 * Math.floor(place / (COLORS - 1))) % (COLORS - 1));
+}
+const dashOf = (index) => (DASHES[markOf(index)].length ? DASHES[markOf(index)] : 'solid');
 const cssColor = (index) => `var(--series-${styleOf(index)})`;
 const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
@@ -121,7 +127,7 @@ function swatch(index) {
   };
   const svg = create('svg', { class: 'swatch', width: 28, height: 12, viewBox: '0 0 28 12', 'aria-hidden': 'true' });
   svg.style.setProperty('--of', cssColor(index));
-  const style = styleOf(index);
+  const style = markOf(index);
   const dashes = DASHES[style].join(' ');
   svg.append(create('path', { d: 'M0 6H28', stroke: 'currentColor', 'stroke-width': 2, 'stroke-dasharray': dashes }),
     create('path', { d: SYMBOLS[style], fill: 'currentColor', transform: 'translate(8.5 0.5) scale(0.55)' }));

@@ -58,7 +58,7 @@ function framesOption(node, window_) {
     return {
       id: `c${index}`, name: `c${index}`, type: 'line', z: index === baseline ? 3 : 4,
       data: values.get(index).map(([frame, v]) => [frame, scaled(v)]),
-      symbol: (_, p) => (single || p.dataIndex % stride === offset ? `path://${SYMBOLS[styleOf(index)]}` : 'none'),
+      symbol: (_, p) => (single || p.dataIndex % stride === offset ? `path://${SYMBOLS[markOf(index)]}` : 'none'),
       symbolSize: 9, showSymbol: true, showAllSymbol: true, connectNulls: false,
       lineStyle: { color, width: allFrames.length > 400 ? 1.2 : 1.8, type: dashOf(index) },
       itemStyle: { color }, emphasis: { disabled: true },

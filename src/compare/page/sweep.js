@@ -29,7 +29,7 @@ function sweepOption(node) {
     return {
       id: `c${index}`, name: `c${index}`, type: 'line', z: 4,
       data: [...points].sort((a, b) => a[cost] - b[cost]).map((point) => ({ value: place(point), point })),
-      symbol: `path://${SYMBOLS[styleOf(index)]}`, symbolSize: 10, showSymbol: true, showAllSymbol: true,
+      symbol: `path://${SYMBOLS[markOf(index)]}`, symbolSize: 10, showSymbol: true, showAllSymbol: true,
       lineStyle: { color, width: 1.8, type: dashOf(index) },
       itemStyle: { color }, emphasis: { scale: 1.5 },
     };
