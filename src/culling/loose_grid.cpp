@@ -12,7 +12,7 @@ namespace jalousie::culling {
 namespace {
 
 constexpr std::int32_t kMostVoxels = 1024;  // on an axis
-constexpr std::size_t kMostLevels = 10;     // halvings of them
+constexpr std::size_t kMostHalvings = 10;   // halvings of them
 constexpr std::size_t kMostChildren = kMostCellsPerAxis * kMostCellsPerAxis * kMostCellsPerAxis + 1;
 
 struct Cell {
@@ -54,7 +54,7 @@ class GridBuilder {
     beginHierarchy(result_.tree, boxes_);
     result_.place.clear();
     result_.middleWorld.clear();
-    FixedStack<Cell, kMostLevels * kMostChildren> stack;
+    FixedStack<Cell, kMostHalvings * kMostChildren> stack;
     if (!boxes_.empty())
       stack.push(
           {.count = static_cast<std::uint32_t>(boxes_.size()), .place = {}, .low = glm::ivec3(0), .end = voxels_});
@@ -131,7 +131,7 @@ class GridBuilder {
     cell.low = low;
   }
 
-  void split(const Cell& cell, std::uint32_t node, FixedStack<Cell, kMostLevels * kMostChildren>& stack) {
+  void split(const Cell& cell, std::uint32_t node, FixedStack<Cell, kMostHalvings * kMostChildren>& stack) {
     const std::span<std::uint32_t> objects = objectsOf(cell);
     std::sort(objects.begin(), objects.end(), [&](std::uint32_t a, std::uint32_t b) {
       const std::uint32_t rankA = rankOf(cell, a);

@@ -7,12 +7,12 @@
 namespace jalousie::culling {
 namespace {
 
-constexpr std::size_t kMostLevels = 16;
+constexpr std::size_t kMostGrids = 16;
 
 }  // namespace
 
 void SlabSchedule::decide() {
-  levels_.resize(kMostLevels);
+  levels_.resize(kMostGrids);
   const glm::vec3& forward = view_->forwardWorld;
   axis_ = 0;
   for (int a = 1; a < 3; ++a)

@@ -104,18 +104,32 @@ std::vector<double> radiiOf(const WedgeMesh& mesh, const std::vector<std::uint32
   return radii;
 }
 
+/// Parts by primitive, area and radius.
+using PartGroups = std::map<std::array<int, 3>, std::vector<std::uint32_t>>;
+
+void markMany(const PartGroups& groups, std::vector<std::uint8_t>& isOneOfMany) {
+  for (const auto& [key, members] : groups)
+    for (const std::uint32_t p : members)
+      isOneOfMany[p] = members.size() >= PartClasses::kLeastInClass ? 1 : 0;
+}
+
+std::vector<bool> findOpenParts(const EdgeTable& edges, const std::vector<std::uint32_t>& partOf, std::size_t parts) {
+  std::vector<bool> isOpen(parts, false);
+  for (const MeshEdge& edge : edges.edges)
+    if (edge.kind == EdgeKind::kBorder) isOpen[partOf[edge.a]] = true;
+  return isOpen;
+}
+
 }  // namespace
 
 PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const LooseParts& parts, double scale) {
   PartClasses classes;
   classes.partOfVertex = findPartOfVertex(mesh, parts);
-  std::vector<bool> isOpen(parts.parts.size(), false);
-  for (const MeshEdge& edge : edges.edges)
-    if (edge.kind == EdgeKind::kBorder) isOpen[classes.partOfVertex[edge.a]] = true;
+  const std::vector<bool> isOpen = findOpenParts(edges, classes.partOfVertex, parts.parts.size());
   classes.classOf.assign(parts.parts.size(), PartClasses::kNone);
   const std::vector<double> radii = radiiOf(mesh, classes.partOfVertex, parts.parts.size());
-  std::map<std::array<int, 3>, std::vector<std::uint32_t>> groups;
-  std::map<std::array<int, 3>, std::vector<std::uint32_t>> closed;
+  PartGroups groups;  // of open parts
+  PartGroups closed;
   classes.isOneOfMany.assign(parts.parts.size(), 0);
   std::map<std::uint32_t, double> areaOfPrimitive;
   double areaOfMesh = 0.0;
@@ -129,16 +143,13 @@ PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const L
     if (!(part.area > 0.0)) continue;
     const int size = static_cast<int>(std::floor(0.5 * std::log2(part.area / (scale * scale))));
     const int length = static_cast<int>(std::floor(std::log2(radii[p] / scale)));
-    auto& kind = isOpen[p] ? groups : closed;
-    kind[{static_cast<int>(primitiveOfPart(mesh, parts, p)), size, length}].push_back(p);
+    (isOpen[p] ? groups : closed)[{static_cast<int>(primitiveOfPart(mesh, parts, p)), size, length}].push_back(p);
     if (!isOpen[p]) continue;
     areaOfPrimitive[primitiveOfPart(mesh, parts, p)] += part.area;
     areaOfMesh += part.area;
   }
-  for (const auto* kind : {&groups, &closed})
-    for (const auto& [key, members] : *kind)
-      for (const std::uint32_t p : members)
-        classes.isOneOfMany[p] = members.size() >= PartClasses::kLeastInClass ? 1 : 0;
+  markMany(groups, classes.isOneOfMany);
+  markMany(closed, classes.isOneOfMany);
   for (auto& [key, members] : groups) {
     if (members.size() < PartClasses::kLeastInClass) continue;
     const auto number = static_cast<std::uint32_t>(classes.areas.size());
