@@ -18,6 +18,7 @@
 #include "bake/io/import.h"
 #include "bake/io/obj_reader.h"
 #include "bake/io/ply_reader.h"
+#include "bake/io/stl_reader.h"
 #include "bake/io/surface_objects.h"
 #include "bake/report/inspect.h"
 #include "bake/report/report.h"
@@ -293,6 +294,14 @@ void exercisePly(Bytes bytes) {
   bake::Notes notes;
   try {
     checkSurface(bake::readPly(bytes, "fuzz.ply", notes), bake::NormalRule::kNone);
+  } catch (const Error&) {
+  }
+}
+
+void exerciseStl(Bytes bytes) {
+  bake::Notes notes;
+  try {
+    checkSurface(bake::readStl(bytes, "fuzz.stl", notes), bake::NormalRule::kCreases);
   } catch (const Error&) {
   }
 }

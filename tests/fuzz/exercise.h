@@ -15,6 +15,8 @@ void exerciseAssembledGlb(std::span<const std::byte> bytes);
 /// A picture through its three doors, which must agree; what was decoded must survive encoding.
 void exerciseImage(std::span<const std::byte> bytes);
 void exercisePly(std::span<const std::byte> bytes);
+/// An STL file, binary or ASCII.
+void exerciseStl(std::span<const std::byte> bytes);
 /// An OBJ file; what follows a line "%%" is the material file, whatever its name.
 void exerciseObj(std::span<const std::byte> bytes);
 /// The whole bake. The first byte picks the kind of mesh (PLY, OBJ, assembled GLB, or triangles made of the bytes

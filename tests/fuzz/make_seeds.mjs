@@ -47,6 +47,18 @@ for (const { name, input } of cases) {
     save('bake', name, Buffer.concat([options(2), parts]));
   }
 }
+// A tetrahedron as ASCII and as binary STL: the corpus has no file of this kind that is small.
+const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+const facets = faces.map((face) => `facet normal 0 0 0\nouter loop\n${
+  face.map((v) => `vertex ${corners[v].join(' ')}\n`).join('')}endloop\nendfacet\n`);
+save('stl', 'ascii', Buffer.from(`solid a\n${facets.join('')}endsolid a\n`));
+const binary = Buffer.alloc(84 + 50 * faces.length);
+binary.writeUInt32LE(faces.length, 80);
+faces.forEach((face, f) => face.forEach((v, k) => corners[v].forEach((x, axis) => {
+  binary.writeFloatLE(x, 84 + 50 * f + 12 * (k + 1) + 4 * axis);
+})));
+save('stl', 'binary', binary);
 // Triangles made of the bytes themselves: a few shapes, every combination of options that matters.
 for (let bits = 0; bits < 128; ++bits) {
   const shape = Array.from({ length: 90 + bits }, (_, i) => (i * (37 + 2 * bits) + (i >> 3)) & 255);

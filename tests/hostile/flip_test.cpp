@@ -45,6 +45,28 @@ std::string obj() {
          "f 1 2 4\nf 2//1 3//1 4//1\nf -2/2 -4/1 -1/3\n";
 }
 
+std::string asciiStl() {
+  std::string text = "solid a\n";
+  for (const char* corners :
+       {"vertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\n", "vertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\n",
+        "vertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\n"})
+    text += std::string("facet normal 0 0 0\nouter loop\n") + corners + "endloop\nendfacet\n";
+  return text + "endsolid a\n";
+}
+
+std::string binaryStl() {
+  std::string text(80, ' ');
+  const auto append = [&](const void* data, std::size_t size) { text.append(static_cast<const char*>(data), size); };
+  const std::uint32_t count = 2;
+  append(&count, sizeof count);
+  for (const float z : {0.0F, 1.0F}) {
+    for (const float value : {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, z, 1.0F, 0.0F, z, 0.0F, 1.0F, z})
+      append(&value, sizeof value);
+    text.append(2, '\0');
+  }
+  return text;
+}
+
 /// A baked ball: two levels, extras, MSFT_lod.
 std::string smallGlb() {
   bake::BakeOptions options;
@@ -95,20 +117,24 @@ TEST_P(EveryKind, FlippedBytesBakeOrFail) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
-                         testing::Values(Kind{"ascii.ply", asciiPly, test::exercisePly},
-                                         Kind{"binary.ply", binaryPly, test::exercisePly},
-                                         Kind{"mesh.obj", obj, test::exerciseObj},
-                                         Kind{"mesh.glb", smallGlb, test::exerciseGltf}),
-                         [](const auto& parameter) {
-                           std::string name = parameter.param.name;
-                           std::replace(name.begin(), name.end(), '.', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, EveryKind,
+    testing::Values(Kind{"ascii.ply", asciiPly, test::exercisePly}, Kind{"binary.ply", binaryPly, test::exercisePly},
+                    Kind{"mesh.obj", obj, test::exerciseObj}, Kind{"ascii.stl", asciiStl, test::exerciseStl},
+                    Kind{"binary.stl", binaryStl, test::exerciseStl}, Kind{"mesh.glb", smallGlb, test::exerciseGltf}),
+    [](const auto& parameter) {
+      std::string name = parameter.param.name;
+      std::replace(name.begin(), name.end(), '.', '_');
+      return name;
+    });
 
 TEST(Exercise, TheUndamagedFilesBake) {
-  for (const auto& [name, text] :
-       {std::pair("a.ply", asciiPly()), {"b.ply", binaryPly()}, {"c.obj", obj()}, {"d.glb", smallGlb()}})
+  for (const auto& [name, text] : {std::pair("a.ply", asciiPly()),
+                                   {"b.ply", binaryPly()},
+                                   {"c.obj", obj()},
+                                   {"d.stl", asciiStl()},
+                                   {"e.stl", binaryStl()},
+                                   {"f.glb", smallGlb()}})
     EXPECT_FALSE(bake::importBytes(bytesOf(text), name, {}).meshes.empty()) << name;
 }
 
