@@ -14,6 +14,7 @@
 #include "asset/image_io.h"
 #include "asset/scene_file.h"
 #include "cli/program.h"
+#include "compare/frame_objects.h"
 #include "core/error.h"
 #include "core/output_files.h"
 #include "core/progress.h"
@@ -79,6 +80,12 @@ void render(const RenderOptions& options) {
     warnTriangleBudget(options.scene, options.frameOptions.triangleBudget, report.statistics, options.settle);
   if (!options.quiet) warnUnknownLevels(options.scene, scene, rowOf(options.frameOptions.lodRule));
   if (!options.statsOnly) asset::savePng(renderer.readImage(), options.output);
+  const bool ownView = !options.freezeFrame && !options.freezeEye;
+  if (!options.statsOnly && ownView && (!options.json.empty() || !options.quiet)) {
+    const compare::FrameObjects objects = compare::countObjects(renderer);
+    report.visible = objects.visible;
+    report.wrongPixels = objects.wrongPixels;
+  }
   debug.check();
   writeReport(options, report);
 }

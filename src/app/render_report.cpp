@@ -65,6 +65,8 @@ std::string reportJson(const RenderOptions& options, const RenderReport& report)
   if (tessellates(options)) json["max_tessellation"] = report.maxTessellation;
   addCounts(json, s);
   if (report.seconds) json["seconds"] = *report.seconds;
+  if (report.visible) json["visible"] = *report.visible;
+  if (report.wrongPixels) json["wrong_pixels"] = *report.wrongPixels;
   json["points"] = report.points;
   json["segments"] = report.segments;
   json["ignored"] = nlohmann::ordered_json(report.ignored);
@@ -85,9 +87,12 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
                       grouped(s.culledOcclusion));
   if (s.culledSmall > 0) text += fmt::format("small {}, ", grouped(s.culledSmall));
   text += fmt::format("drawn {}", grouped(s.drawn));
+  if (report.visible) text += fmt::format(", visible {}", grouped(*report.visible));
   if (hasTwoPhases(options)) text += fmt::format(" ({} in phase 1)", grouped(s.drawnEarly));
   if (s.occluders > 0) text += fmt::format(" ({} occluders)", grouped(s.occluders));
   text += '\n';
+  if (report.wrongPixels.value_or(0) > 0)
+    text += fmt::format("  wrong pixels {:>10}   culling left out what they show\n", grouped(*report.wrongPixels));
   if (s.cells > 0) text += fmt::format("  cells     {:>13}   drawn {}\n", grouped(s.cells), grouped(s.cellsDrawn));
   if (s.queries > 0)
     text += fmt::format("  queries   {:>13}   waits {}, round trips {}, state changes {}, draw calls {}\n",

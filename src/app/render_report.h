@@ -26,10 +26,12 @@ struct RenderReport {
   bool gpuTiming = false;  ///< GPU timestamps; false: wall time between two glFinish
   render::FrameStatistics statistics;
   FrameTimes times;
-  std::optional<double> seconds;      ///< time of the animations, where they play
-  std::uint32_t points = 0;           ///< of the scene: all are drawn in every frame
-  std::uint32_t segments = 0;         ///< the same for line segments
-  asset::ContentCounts ignored;       ///< what the scene's file holds that is not drawn
+  std::optional<std::uint64_t> visible;  ///< objects with a pixel; absent where nothing was drawn, or from elsewhere
+  std::optional<std::uint64_t> wrongPixels;  ///< pixels that culling changed
+  std::optional<double> seconds;             ///< time of the animations, where they play
+  std::uint32_t points = 0;                  ///< of the scene: all are drawn in every frame
+  std::uint32_t segments = 0;                ///< the same for line segments
+  asset::ContentCounts ignored;              ///< what the scene's file holds that is not drawn
   std::uint32_t maxTessellation = 0;  ///< finest level in use; drivers can force a lower one than the option asks for
 };
 

@@ -128,6 +128,9 @@ TEST_F(RenderCommand, PictureAndFiguresHaveTheAskedSizeAndTheFixedKeys) {
     EXPECT_TRUE(stats.contains(key)) << key;
   EXPECT_EQ(stats["objects"], 9);
   EXPECT_EQ(stats["drawn"], 9);
+  EXPECT_LE(stats["visible"], stats["drawn"]);
+  EXPECT_GT(stats["visible"], 0);
+  EXPECT_EQ(stats["wrong_pixels"], 0);
   EXPECT_EQ(stats["triangles_full"], 9 * 2 * 16 * 7);
   EXPECT_EQ(stats["lod"], "price");
   EXPECT_EQ(stats["lv"], "pixels");
