@@ -129,6 +129,7 @@ std::vector<glm::vec3> outermostOf(const std::vector<glm::vec3>& points) {
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<glm::vec3> outermost;
+  outermost.reserve(found.size());
   for (const std::size_t i : found)
     outermost.push_back(points[i]);
   return outermost;

@@ -104,6 +104,12 @@ std::vector<double> radiiOf(const WedgeMesh& mesh, const std::vector<std::uint32
   return radii;
 }
 
+/// Of a part that stands alone, unit frame.
+double removalCost(const LoosePart& part, double scale) {
+  const double radius = part.radius / scale;
+  return kPartWeight * part.area / (scale * scale) * radius * radius;
+}
+
 /// Parts by primitive, area and radius.
 using PartGroups = std::map<std::array<int, 3>, std::vector<std::uint32_t>>;
 
@@ -133,13 +139,9 @@ PartClasses classifyParts(const WedgeMesh& mesh, const EdgeTable& edges, const L
   classes.isOneOfMany.assign(parts.parts.size(), 0);
   std::map<std::uint32_t, double> areaOfPrimitive;
   double areaOfMesh = 0.0;
-  const auto costOf = [&](const LoosePart& part) {
-    const double radius = part.radius / scale;
-    return kPartWeight * part.area / (scale * scale) * radius * radius;
-  };
   for (std::uint32_t p = 0; p < parts.parts.size(); ++p) {
     const LoosePart& part = parts.parts[p];
-    classes.costs.push_back(costOf(part));
+    classes.costs.push_back(removalCost(part, scale));
     if (!(part.area > 0.0)) continue;
     const int size = static_cast<int>(std::floor(0.5 * std::log2(part.area / (scale * scale))));
     const int length = static_cast<int>(std::floor(std::log2(radii[p] / scale)));
