@@ -276,17 +276,13 @@ struct EdgeCollapser::State : Data {
   Outcome removePart(std::uint32_t p, float cost, std::uint32_t least) {
     const LoosePart& part = parts.parts[p];
     if (!keptParts.empty() && keptParts[p] != 0) return Outcome::kIllegal;
-    const auto facesOf = std::span(parts.faces).subspan(part.firstFace, part.faceCount);
-    std::uint32_t alive = 0;
-    for (const std::uint32_t face : facesOf)
-      alive += topology.isAlive(face) ? 1U : 0U;
-    if (alive == 0) return Outcome::kLater;
-    if (topology.faces() - alive < least) return Outcome::kIllegal;
+    if (aliveOfPart[p] == 0) return Outcome::kLater;  // its entries in the queue outlive it
+    if (topology.faces() - aliveOfPart[p] < least) return Outcome::kIllegal;
     if (const float now = costOfRemoval(p); now > cost * 1.0001F) {
       queue.push({now, p, kNone, 0});
       return Outcome::kLater;
     }
-    for (const std::uint32_t face : facesOf) {
+    for (const std::uint32_t face : std::span(parts.faces).subspan(part.firstFace, part.faceCount)) {
       if (!topology.isAlive(face)) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t v = topology.vertexAt(3 * face + k);

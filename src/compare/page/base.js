@@ -103,18 +103,17 @@ const DASHES = [[], [], [7, 3], [2, 2.5], [10, 3, 2, 3], [12, 4], [4, 2], [7, 2,
 const COLORS = 8;
 const TICK_LABEL = 11;
 
-/// Index of a colour: the baseline has the first one, the other configurations share the rest.
-function styleOf(index) {
+/// The baseline has the first entry of a list, the other configurations share the rest. @param round  shifts them each
+/// time that the list begins anew
+function entryOf(index, round) {
   if (index === baseline) return 0;
   const place = index < baseline ? index : index - 1;
-  return 1 + (place % (COLORS - 1));
+  return 1 + ((place + round * Math.floor(place / (COLORS - 1))) % (COLORS - 1));
 }
+/// Index of a colour.
+const styleOf = (index) => entryOf(index, 0);
 /// Index of a mark and of dashes. Where colours repeat, marks are others: up to 49 configurations differ.
-function markOf(index) {
-  if (index === baseline) return 0;
-  const place = index < baseline ? index : index - 1;
-  return 1 + ((place + 3 * Math.floor(place / (COLORS - 1))) % (COLORS - 1));
-}
+const markOf = (index) => entryOf(index, 3);
 const dashOf = (index) => (DASHES[markOf(index)].length ? DASHES[markOf(index)] : 'solid');
 const cssColor = (index) => `var(--series-${styleOf(index)})`;
 const variable = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
