@@ -7,7 +7,7 @@
 // between interpolated shading normals in degrees. `stored` is the error that jalousie-bake would store for the mesh
 // (DeviationMeter): a conservative two-sided maximum, never below a sampled distance. Distances are in % of the
 // reference's diagonal. All meshes of a scene are taken together, at the places of their nodes. LOD chooses a level of
-// a file with MSFT_lod; default 0. A mesh with fewer levels has its coarsest one.
+// a file with MSFT_lod; default 0. A mesh with fewer levels has its coarsest one, which may show nothing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,6 +75,7 @@ WedgeMesh load(const std::string& name) {
     int node = static_cast<int>(n);
     if (lod > 0) {
       const std::vector<int> lower = asset::lodNodes(model, node);
+      if (lod > lower.size() && asset::emptyLevel(model, node) >= 0) continue;
       if (!lower.empty()) node = lower[std::min(lod, lower.size()) - 1];
     }
     const auto mesh = static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh);

@@ -99,9 +99,14 @@ class Objects {
 
  private:
   int link(const std::vector<int>& nodes, const SourcePart& part) {
+    std::vector<int> lower(nodes.begin() + 1, nodes.end());
+    if (part.endsInNothing) {
+      const std::string& name = model_.nodes[static_cast<std::size_t>(nodes[0])].name;
+      lower.push_back(addNode(model_, fmt::format("{} lod {}", name, nodes.size()), -1));
+    }
     std::vector<float> coverage = part.coverage;
-    coverage.resize(nodes.size(), 0.0F);
-    asset::setLodChain(model_, nodes[0], std::span(nodes).subspan(1), coverage);
+    coverage.resize(lower.size() + 1, 0.0F);
+    asset::setLodChain(model_, nodes[0], lower, coverage);
     return nodes[0];
   }
 

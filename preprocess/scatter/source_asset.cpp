@@ -144,6 +144,7 @@ SourcePart partOf(const Model& model, const Visit& visit) {
   for (const int lower : asset::lodNodes(model, visit.node))
     part.meshes.push_back(nodeOf(model, lower).mesh);
   part.coverage = asset::lodCoverage(node);
+  part.endsInNothing = asset::emptyLevel(model, visit.node) >= 0;
   part.weights = node.weights;
   part.poses = posesOf(model, visit);
   return part;

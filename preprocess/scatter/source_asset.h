@@ -28,6 +28,7 @@ struct SourcePart {
   std::string name;             ///< of the node, else of its mesh
   std::vector<int> meshes;      ///< of the input, LOD 0 first
   std::vector<float> coverage;  ///< MSFT_screencoverage, may be empty
+  bool endsInNothing = false;   ///< below the last level, nothing is shown
   std::vector<double> weights;  ///< of morph targets, may be empty
   std::vector<Pose> poses;      ///< worldFromObject in the input, one for each of the node's instances; never empty
   std::uint64_t triangles = 0;  ///< of LOD 0

@@ -225,7 +225,9 @@ void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid&
 
 /// A child of the node that carries the mesh back to object space.
 void moveMeshIntoChild(tinygltf::Model& model, int index, const Grid& grid) {
-  const std::vector<int> lower = lodNodes(model, index);
+  std::vector<int> lower = lodNodes(model, index);
+  const int empty = emptyLevel(model, index);
+  if (empty >= 0) lower.push_back(empty);
   const std::vector<float> coverage = lodCoverage(model.nodes[static_cast<std::size_t>(index)]);
   const auto place = [&](tinygltf::Node& node) {
     node.matrix.clear();

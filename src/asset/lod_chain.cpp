@@ -232,7 +232,14 @@ void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNod
   }
 }
 
-std::vector<int> lodIds(const tinygltf::Model& model, int node) {
+namespace {
+
+bool showsNothing(const tinygltf::Node& node) {
+  return node.mesh < 0 && node.children.empty();
+}
+
+/// All nodes that MSFT_lod lists, one that shows nothing included.
+std::vector<int> listedNodes(const tinygltf::Model& model, int node) {
   detail::requireIndex(node, model.nodes.size(), "node");
   const tinygltf::ExtensionMap& extensions = model.nodes[static_cast<std::size_t>(node)].extensions;
   const auto found = extensions.find(kLevels);
@@ -241,12 +248,13 @@ std::vector<int> lodIds(const tinygltf::Model& model, int node) {
     malformed(fmt::format("node {}: MSFT_lod has no list of ids", node));
 
   std::vector<int> nodes;
-  for (const tinygltf::Value& id : found->second.Get("ids").Get<tinygltf::Value::Array>()) {
+  const auto& ids = found->second.Get("ids").Get<tinygltf::Value::Array>();
+  for (const tinygltf::Value& id : ids) {
     if (!id.IsInt()) malformed(fmt::format("node {}: MSFT_lod id is not an integer", node));
     const int lower = id.Get<int>();
     detail::requireIndex(lower, model.nodes.size(), fmt::format("node {}: MSFT_lod node", node));
-    const tinygltf::Node& level = model.nodes[static_cast<std::size_t>(lower)];
-    if (level.mesh < 0 && level.children.empty())
+    const bool isLast = nodes.size() + 1 == ids.size();
+    if (!isLast && showsNothing(model.nodes[static_cast<std::size_t>(lower)]))
       malformed(fmt::format("node {}: MSFT_lod node {} has no mesh", node, lower));
     nodes.push_back(lower);
   }
@@ -258,14 +266,24 @@ std::vector<int> lodIds(const tinygltf::Model& model, int node) {
   return nodes;
 }
 
-namespace {
-
 bool haveMeshes(const tinygltf::Model& model, int node, const std::vector<int>& levels) {
   const auto hasMesh = [&](int of) { return model.nodes[static_cast<std::size_t>(of)].mesh >= 0; };
   return hasMesh(node) && std::all_of(levels.begin(), levels.end(), hasMesh);
 }
 
 }  // namespace
+
+std::vector<int> lodIds(const tinygltf::Model& model, int node) {
+  std::vector<int> levels = listedNodes(model, node);
+  if (!levels.empty() && showsNothing(model.nodes[static_cast<std::size_t>(levels.back())])) levels.pop_back();
+  return levels;
+}
+
+int emptyLevel(const tinygltf::Model& model, int node) {
+  const std::vector<int> levels = listedNodes(model, node);
+  const bool isEmpty = !levels.empty() && showsNothing(model.nodes[static_cast<std::size_t>(levels.back())]);
+  return isEmpty ? levels.back() : -1;
+}
 
 bool isLodGroup(const tinygltf::Model& model, int node) {
   const std::vector<int> levels = lodIds(model, node);

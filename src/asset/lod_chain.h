@@ -2,6 +2,7 @@
 //
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
+//                      The last node may hold nothing: below the threshold before it, the object is not shown.
 // On each level's mesh: extras.jalousie = {"format": 4, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
 //                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
 //                      "coverage": c, "target": e, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]}}
@@ -88,9 +89,13 @@ inline std::size_t cellCount(const CellTriangles& cells) {
 /// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares
 /// MSFT_lod in model.extensionsUsed.
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage);
-/// Node indices of LOD 1, 2, ... as MSFT_lod lists them; empty without. Errors: kMalformed (index out of range, a node
-/// twice or itself, a node with neither a mesh nor nodes below it).
+/// Node indices of LOD 1, 2, ... as MSFT_lod lists them; empty without. A last node that holds nothing is left out: see
+/// emptyLevel. Errors: kMalformed (index out of range, a node twice or itself, another node with neither a mesh nor
+/// nodes below it).
 std::vector<int> lodIds(const tinygltf::Model& model, int node);
+/// The last node that MSFT_lod lists, if it has neither a mesh nor nodes below it: the coarsest level shows nothing. -1
+/// without. Errors: as lodIds.
+int emptyLevel(const tinygltf::Model& model, int node);
 /// Whether the levels of a node are groups: the node or one of them has no mesh of its own. Each level then stands for
 /// all meshes below its node. Else the levels are single meshes. Errors: as lodIds.
 bool isLodGroup(const tinygltf::Model& model, int node);

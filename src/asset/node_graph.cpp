@@ -75,6 +75,8 @@ std::vector<int> sceneRoots(const tinygltf::Model& model) {
       excluded[static_cast<std::size_t>(child)] = 1;
     for (const int level : lodIds(model, static_cast<int>(i)))
       excluded[static_cast<std::size_t>(level)] = 1;
+    const int empty = emptyLevel(model, static_cast<int>(i));
+    if (empty >= 0) excluded[static_cast<std::size_t>(empty)] = 1;
   }
   std::vector<int> roots;
   for (std::size_t i = 0; i < excluded.size(); ++i) {

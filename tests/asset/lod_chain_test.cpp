@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset/asset_fixtures.h"
+#include "asset/node_graph.h"
 
 namespace jalousie::asset {
 namespace {
@@ -155,7 +156,26 @@ TEST(LodChain, IdsOutsideTwiceOrWithoutMeshAreMalformed) {
   EXPECT_EQ(code({1, -1}), ErrorCode::kMalformed);
   EXPECT_EQ(code({1, 1}), ErrorCode::kMalformed);
   EXPECT_EQ(code({0}), ErrorCode::kMalformed);
-  EXPECT_EQ(code({3}), ErrorCode::kMalformed);
+  EXPECT_EQ(code({3, 1}), ErrorCode::kMalformed);
+}
+
+TEST(LodChain, TheLastLevelMayShowNothing) {
+  tinygltf::Model model = chainModel();
+  const int empty = addNode(model, -1, "nothing");
+  EXPECT_EQ(emptyLevel(model, 0), -1);
+  setLodChain(model, 0, std::vector<int>{1, 2, empty}, std::vector<float>{0.5F, 0.25F, 0.125F, 0.0F});
+  const test::TempFolder folder;
+  saveGlb(model, folder / "chain.glb");
+  tinygltf::Model read = loadGltf(folder / "chain.glb");
+  EXPECT_EQ(lodNodes(read, 0), (std::vector<int>{1, 2}));
+  EXPECT_EQ(emptyLevel(read, 0), empty);
+  EXPECT_FALSE(isLodGroup(read, 0));
+  EXPECT_EQ(lodThresholds(read.nodes[0], 3), (std::vector<float>{0.5F, 0.25F, 0.125F}));
+  read.scenes.clear();
+  EXPECT_EQ(sceneRoots(read), std::vector<int>{0}) << "the empty level is no root";
+  const int child = addNode(read, read.nodes[2].mesh, "child");
+  read.nodes[static_cast<std::size_t>(empty)].children = {child};
+  EXPECT_EQ(emptyLevel(read, 0), -1) << "a node with nodes below it is a level";
 }
 
 TEST(LodChain, ThresholdsDescendAndAreNumbers) {

@@ -38,6 +38,23 @@ TEST(SceneBudget, CountsEveryNodeAndLeavesOutLevelsThatChangeNothing) {
   EXPECT_TRUE(shareBudget(std::vector<BudgetMesh>(2, BudgetMesh{12, 1, {}, 0.0}), options)[0].empty());
 }
 
+TEST(SceneBudget, LeavesMeshesOutWhereThatIsCheapest) {
+  // The second mesh costs 3 to leave out, the third may not be left out.
+  std::vector<BudgetMesh> meshes = {
+      {1000, 1, {{500, 1.0}, {250, 2.0}, {100, 4.0}, {4, 8.0}}, 10.0}, {12, 2, {{8, 2.0}}, 0.5}, {12, 2, {}, 0.5}};
+  meshes[1].removal = 3.0;
+  ChainOptions options;
+  options.ratios = {0.5, 0.25, 0.12};
+  const auto targets = shareBudget(meshes, options);
+  EXPECT_EQ(targets[0], (std::vector<std::uint32_t>{250, 100})) << "the first level fits only after the step to 250";
+  EXPECT_EQ(targets[1], (std::vector<std::uint32_t>{8, 0}));
+  EXPECT_TRUE(targets[2].empty());
+  meshes[1].triangles = 40;
+  meshes[1].costs = {};
+  const auto kept = shareBudget(meshes, options);
+  EXPECT_TRUE(kept[1].empty() || kept[1][0] != 0) << "a quarter of 40 triangles is a level";
+}
+
 TEST(SceneBudget, NoMeshFallsFarBelowItsShareUnlessNobodySeesIt) {
   // The first mesh is cheap, the others are dear: without a floor it would pay for them.
   const std::vector<CostPoint> cheap = {{500, 1.0}, {100, 2.0}, {10, 3.0}};
@@ -185,6 +202,34 @@ TEST(SceneBudget, OnlyEqualPlacesUnderEqualTransformsTouch) {
   const std::vector<MeshBorder> apart = {{{here}, first}, {{there}, first}, {{here, here}, {{5, 5, 5}, {5, 5, 5}}}};
   for (const std::vector<glm::vec3>& own : touchingPlaces(apart))
     EXPECT_TRUE(own.empty());
+}
+
+TEST(SceneBudget, ASmallMeshEndsInALevelThatShowsNothing) {
+  tinygltf::Model model = scene();
+  model.nodes[0].scale = {4.0, 4.0, 4.0};
+  model.nodes[2].scale = {0.01, 0.01, 0.01};
+  const tinygltf::Model before = model;
+  const std::vector<MeshReport> reports = bakeIt(model, true, 0.01);
+  ASSERT_EQ(reports.size(), 3U);
+  EXPECT_FALSE(reports[0].endsInNothing);
+  EXPECT_FALSE(reports[1].endsInNothing);
+  ASSERT_TRUE(reports[2].endsInNothing);
+  EXPECT_EQ(asset::emptyLevel(model, 1), -1);
+  EXPECT_GE(asset::emptyLevel(model, 2), 0);
+  const std::vector<float> coverage = asset::lodCoverage(model.nodes[2]);
+  ASSERT_EQ(coverage.size(), reports[2].levels.size() + 1);
+  EXPECT_EQ(coverage.back(), 0.0F);
+  // Left out where its sphere covers less than a pixel of a 1920 x 1080 screen.
+  EXPECT_NEAR(coverage[coverage.size() - 2], 3.14159265 / 4.0 / (1920.0 * 1080.0), 1e-12);
+  tinygltf::Model alone = before;
+  for (const MeshReport& report : bakeIt(alone, false, 0.01))
+    EXPECT_FALSE(report.endsInNothing) << "each mesh has a budget of its own";
+  tinygltf::Model held = before;
+  BakeOptions options;
+  options.chain.ratios = {0.01};
+  options.chain.untilTriangles = 2;
+  for (const MeshReport& report : bakeDocument(held, options, [](std::size_t, std::size_t, const std::string&) {}))
+    EXPECT_FALSE(report.endsInNothing) << "no level may have fewer triangles";
 }
 
 TEST(SceneBudget, ErrorsReferToTheLargestMesh) {

@@ -84,6 +84,16 @@ TEST(Scatter, LevelsShareTheInstancesAndTheCoverage) {
   EXPECT_EQ(asset::lodCoverage(model.nodes[0]), (std::vector<float>{0.5F, 0.1F, 0.0F}));
 }
 
+TEST(Scatter, AnEmptyLastLevelSurvives) {
+  tinygltf::Model source = test::bakedBall();
+  const int empty = test::addNode(source, -1);
+  asset::setLodChain(source, 0, std::vector<int>{1, 2, empty}, std::vector<float>{0.5F, 0.1F, 0.01F, 0.0F});
+  const tinygltf::Model model = scatter(parse({"--count", "20"}), std::move(source)).model;
+  EXPECT_EQ(asset::lodNodes(model, 0).size(), 2U);
+  EXPECT_GE(asset::emptyLevel(model, 0), 0);
+  EXPECT_EQ(asset::lodCoverage(model.nodes[0]), (std::vector<float>{0.5F, 0.1F, 0.01F, 0.0F}));
+}
+
 TEST(Scatter, BoundsHoldEveryVertex) {
   const ScatteredScene scene =
       scatter(parse({"--count", "50", "--rotate", "any", "--scale", "0.5,3", "--occluder", "fence"}));

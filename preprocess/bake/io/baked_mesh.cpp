@@ -71,6 +71,7 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUs
   if (options.quantized && !chain.errors.empty()) chain.errorReserve = quantizeReserve(*wedges, chain, report.diagonal);
   baked.chain = makeChain(*wedges, chain, progress);
   report.stopReason = baked.chain.stopReason;
+  report.endsInNothing = baked.chain.endsInNothing;
   baked.coverage = screenCoverage(baked.chain, 0.5 * report.diagonal, options.screen);
   for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
     report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));

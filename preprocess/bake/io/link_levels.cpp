@@ -36,6 +36,14 @@ int appendLevelNode(tinygltf::Model& model, const tinygltf::Node& source, int me
   return static_cast<int>(model.nodes.size()) - 1;
 }
 
+/// Appends the node of a level that shows nothing.
+int appendEmptyLevel(tinygltf::Model& model, const tinygltf::Node& source, std::size_t lod) {
+  tinygltf::Node node;
+  node.name = fmt::format("{}_lod{}", source.name, lod);
+  model.nodes.push_back(std::move(node));
+  return static_cast<int>(model.nodes.size()) - 1;
+}
+
 /// Copies every channel that moves the node of LOD 0 to the nodes of the levels.
 void animateLevels(tinygltf::Model& model, const ChannelIndex& channels, int node, const std::vector<int>& levels) {
   const auto [first, last] = channels.byNode.equal_range(node);
@@ -109,7 +117,8 @@ ChannelIndex indexChannels(const tinygltf::Model& model) {
 
 void linkNodes(tinygltf::Model& model, const ChannelIndex& channels, const std::vector<int>& nodes,
                const std::vector<int>& levelMeshes, const std::vector<float>& coverage) {
-  if (levelMeshes.size() < 2) return;
+  const bool endsInNothing = !coverage.empty() && coverage.back() > 0.0F;
+  if (levelMeshes.size() < 2 && !endsInNothing) return;
   for (const int user : nodes) {
     const bool divide =
         channels.pointed.contains(user) || holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
@@ -118,8 +127,13 @@ void linkNodes(tinygltf::Model& model, const ChannelIndex& channels, const std::
     std::vector<int> lower;
     for (std::size_t k = 1; k < levelMeshes.size(); ++k)
       lower.push_back(appendLevelNode(model, source, levelMeshes[k], k));
-    asset::setLodChain(model, n, lower, coverage);
     if (!divide) animateLevels(model, channels, n, lower);
+    std::vector<float> thresholds = coverage;
+    if (endsInNothing) {
+      lower.push_back(appendEmptyLevel(model, source, levelMeshes.size()));
+      thresholds.push_back(0.0F);
+    }
+    asset::setLodChain(model, n, lower, thresholds);
   }
 }
 

@@ -28,6 +28,7 @@ struct MeshReport {
   std::vector<asset::LodInfo> levels;       ///< as written, with measures; empty if the mesh was passed through
   std::vector<std::uint32_t> removedParts;  ///< of each level: loose parts that were removed as a whole
   std::uint32_t cells = 0;                  ///< of each level; 0: not divided
+  bool endsInNothing = false;               ///< below the last level, the mesh is left out
   std::string stopReason;
   std::string passedThrough;  ///< why, if it was
   MeshFindings findings;

@@ -2,6 +2,7 @@
 #include "bake/io/share_scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bake/io/node_scales.h"
@@ -12,6 +13,17 @@
 
 namespace jalousie::bake {
 namespace {
+
+/// Forbids to leave meshes out that are no details of the scene, or that others touch.
+void keepMeshes(std::span<BudgetMesh> budgets, std::span<const std::vector<glm::vec3>> touching, double largest,
+                const ChainOptions& options) {
+  const double most = 0.01 * options.untilError * largest;
+  for (std::size_t m = 0; m < budgets.size(); ++m) {
+    const bool isDetail = budgets[m].diagonal <= most && budgets[m].diagonal < largest;
+    if (!isDetail || !touching[m].empty() || options.untilTriangles)
+      budgets[m].removal = std::numeric_limits<double>::infinity();
+  }
+}
 
 /// What a mesh offers, and the positions of its open borders.
 struct Offer {
@@ -36,6 +48,7 @@ Offer offerOf(const tinygltf::Model& model, std::size_t index, const MeshUse& us
   chain.collapse.lockedVertices = verticesAt(wedges, options.locked);
   CostCurve curve = costCurve(wedges, chain);
   budget.unseen = curve.unseen;
+  budget.removal = curve.removal * scale * scale * scale * scale;
   budget.costs = std::move(curve.points);
   for (CostPoint& point : budget.costs)
     point.cost *= scale * scale * scale * scale;
@@ -74,11 +87,12 @@ SceneShare shareScene(const tinygltf::Model& model, std::span<const std::size_t>
     own.locked = touching[i];
     ask(i, own);
   });
-  std::vector<std::vector<std::uint32_t>> targets(used.size());
-  if (options.chain.errors.empty()) targets = shareBudget(budgets, options.chain);
   double largest = 0.0;
   for (const BudgetMesh& budget : budgets)
     largest = std::max(largest, budget.diagonal);
+  keepMeshes(budgets, touching, largest, options.chain);
+  std::vector<std::vector<std::uint32_t>> targets(used.size());
+  if (options.chain.errors.empty()) targets = shareBudget(budgets, options.chain);
   const std::size_t meshes = model.meshes.size();
   SceneShare share{std::vector<std::vector<std::uint32_t>>(meshes), std::vector<double>(meshes, 0.0),
                    std::vector<std::vector<glm::vec3>>(meshes)};
@@ -97,6 +111,8 @@ BakeOptions optionsInScene(const BakeOptions& options, const SceneShare& share, 
   own.chain.reference = share.reference[mesh];
   if (!own.chain.errors.empty()) return own;
   own.chain.targets = share.targets[mesh];
+  own.chain.leftOut = !own.chain.targets.empty() && own.chain.targets.back() == 0;
+  if (own.chain.leftOut) own.chain.targets.pop_back();
   own.chain.ratios.clear();
   own.chain.coarsest.reset();
   if (own.chain.targets.empty()) own.chain.levels = 1;

@@ -15,7 +15,7 @@ namespace jalousie::bake {
 
 /// What a mesh of a scene of one budget is told, by its index in the document.
 struct SceneShare {
-  std::vector<std::vector<std::uint32_t>> targets;  ///< see ChainOptions::targets
+  std::vector<std::vector<std::uint32_t>> targets;  ///< see ChainOptions::targets; a last one of 0: see leftOut
   std::vector<double> reference;                    ///< see ChainOptions::reference
   std::vector<std::vector<glm::vec3>> touching;     ///< places of border vertices that other meshes share
 };

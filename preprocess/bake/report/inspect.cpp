@@ -127,6 +127,7 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
     for (const int lower : asset::lodNodes(model, static_cast<int>(n)))
       chain.levels.push_back(inspectMesh(model, model.nodes[static_cast<std::size_t>(lower)].mesh));
     chain.coverage = asset::lodCoverage(node);
+    chain.endsInNothing = asset::emptyLevel(model, static_cast<int>(n)) >= 0;
   }
   std::erase_if(chains, [](const InspectedChain& chain) { return chain.nodes == 0; });
   return chains;
@@ -152,7 +153,7 @@ std::string inspectJson(const std::vector<InspectedChain>& chains) {
   ordered_json json;
   json["chains"] = ordered_json::array();
   for (const InspectedChain& chain : chains) {
-    ordered_json entry = {{"name", chain.name}, {"nodes", chain.nodes}};
+    ordered_json entry = {{"name", chain.name}, {"nodes", chain.nodes}, {"ends_in_nothing", chain.endsInNothing}};
     entry["levels"] = ordered_json::array();
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       entry["levels"].push_back(levelJson(chain, k));

@@ -33,6 +33,7 @@ struct InspectedChain {
   std::uint64_t nodes = 0;  ///< that show LOD 0's mesh
   std::vector<InspectedLevel> levels;
   std::vector<float> coverage;  ///< MSFT_screencoverage, may be empty
+  bool endsInNothing = false;   ///< the last level shows nothing; it is none of the levels
 };
 
 /// Chains by the meshes of their LOD 0, in the order of the meshes.
@@ -41,9 +42,8 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
 /// One table per chain; '-' for figures that the file does not store.
 std::string inspectText(const std::vector<InspectedChain>& chains);
-/// {"chains": [{"name", "nodes", "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file
-/// says,
-///   "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
+/// {"chains": [{"name", "nodes", "ends_in_nothing", "levels": [{"lod", "triangles", "vertices", "screen_coverage",
+///   and, where the file says, "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
 ///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
 ///   "stop", "cells": {"count", "filled", "largest", "mean"}}]}]}
 std::string inspectJson(const std::vector<InspectedChain>& chains);

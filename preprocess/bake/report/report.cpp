@@ -113,6 +113,8 @@ void noteMeshes(const std::vector<MeshReport>& meshes, Notes& notes) {
     if (mesh.findings.repairedValues > 0) notes.add("NaN or infinite attribute values are set to 0", mesh.name);
     if (mesh.findings.cleaned.degenerate > 0) notes.add("triangles without area are dropped", mesh.name);
     if (mesh.findings.cleaned.duplicate > 0) notes.add("duplicate triangles are dropped", mesh.name);
+    if (mesh.endsInNothing)
+      notes.add("a small mesh has a last level that shows nothing (--budget mesh keeps it)", mesh.name);
     if (mesh.findings.nearlyWelded > 0)
       notes.add(
           fmt::format("vertices of open edges lie close to others; --weld {:.1g} joins them", mesh.findings.weldHint),
@@ -134,6 +136,7 @@ std::string reportJson(const std::vector<MeshReport>& meshes, const std::vector<
     entry["diagonal"] = mesh.diagonal;
     entry["cells"] = mesh.cells;
     entry["stop"] = mesh.stopReason;
+    entry["ends_in_nothing"] = mesh.endsInNothing;
     entry["passed_through"] = mesh.passedThrough;
     entry["not_finite"] = mesh.findings.cleaned.notFinite;
     entry["degenerate"] = mesh.findings.cleaned.degenerate;

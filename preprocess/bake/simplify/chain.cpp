@@ -63,18 +63,51 @@ std::uint32_t targetOf(const ChainOptions& options, std::uint32_t finest, std::s
   return static_cast<std::uint32_t>(std::lround(finest * std::pow(ratio, static_cast<double>(k))));
 }
 
+namespace {
+
+/// What it costs to leave a mesh out: as though all of it moved into its centre, four times as far, because a removed
+/// mesh leaves no surface nearby. @return  squared distance times area, object space
+double removalCost(const WedgeMesh& mesh, double area) {
+  constexpr double kWeight = 16.0;
+  const auto corner = [&](std::size_t c) { return glm::dvec3(mesh.positions[mesh.vertexAt(c)]); };
+  const auto sumOver = [&](const auto& value) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+      const double own = triangleArea(mesh.positions[mesh.vertexAt(c)], mesh.positions[mesh.vertexAt(c + 1)],
+                                      mesh.positions[mesh.vertexAt(c + 2)]);
+      sum += own * value(corner(c), corner(c + 1), corner(c + 2));
+    }
+    return sum;
+  };
+  glm::dvec3 centre(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+    centre[axis] =
+        sumOver([&](const auto& a, const auto& b, const auto& c) { return (a[axis] + b[axis] + c[axis]) / 3.0; });
+  centre /= area;
+  // The mean of |p|^2 over a triangle: a sixth of the sum of all products of two corners, each pair once.
+  return kWeight * sumOver([&](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+           a -= centre, b -= centre, c -= centre;
+           return (glm::dot(a, a) + glm::dot(b, b) + glm::dot(c, c) + glm::dot(a, b) + glm::dot(b, c) +
+                   glm::dot(c, a)) /
+                  6.0;
+         });
+}
+
+}  // namespace
+
 CostCurve costCurve(const WedgeMesh& mesh, const ChainOptions& options) {
   constexpr double kUnseen = 1e-3;  // of the diagonal
   const bool isDraft = options.preset == Preset::kDraft;
   JAL_CHECK(!isDraft);
   EdgeCollapser collapser(mesh, collapseOptions(options, flatPrimitives(mesh)));
   collapser.collapseTo(kMinLevelTriangles);
-  CostCurve curve{collapser.costs(), mesh.triangles()};
+  CostCurve curve{collapser.costs(), mesh.triangles(), 0.0};
   const double diagonal = boundsOf(mesh.positions).diagonal();
   double area = 0.0;
   for (std::size_t c = 0; c < mesh.corners.size(); c += 3)
     area += triangleArea(mesh.positions[mesh.vertexAt(c)], mesh.positions[mesh.vertexAt(c + 1)],
                          mesh.positions[mesh.vertexAt(c + 2)]);
+  curve.removal = area > 0.0 ? removalCost(mesh, area) / std::max(0.5 * collapser.triangles(), 1.0) : 0.0;
   const double unit = std::pow(diagonal, 4.0);
   for (CostPoint& point : curve.points) {
     point.cost *= unit;
@@ -183,6 +216,8 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options, const L
   chain.levels.emplace_back().mesh = mesh;
   chain.stopReason = options.errors.empty() ? addLevelsByCount(mesh, options, progress, chain.levels)
                                             : addLevelsByError(mesh, options, progress, chain.levels);
+  chain.endsInNothing = options.leftOut;
+  if (options.leftOut) chain.stopReason += "; below the last level the mesh is left out, it is too small to matter";
   return chain;
 }
 
@@ -196,7 +231,9 @@ std::vector<float> screenCoverage(const LevelChain& chain, double radius, const 
     last = std::min(last, std::numbers::pi * diameter * diameter / 4.0 / screenPixels);
     coverage.push_back(static_cast<float>(last));
   }
-  coverage.push_back(0.0F);
+  // Left out, a mesh is off by its diameter.
+  const double least = std::numbers::pi * tolerance.pixels * tolerance.pixels / 4.0 / screenPixels;
+  coverage.push_back(chain.endsInNothing ? static_cast<float>(std::min(last, least)) : 0.0F);
   return coverage;
 }
 

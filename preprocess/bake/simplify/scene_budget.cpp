@@ -24,6 +24,8 @@ std::vector<double> allCosts(std::span<const BudgetMesh> meshes) {
   for (const BudgetMesh& mesh : meshes)
     for (const CostPoint& point : mesh.costs)
       costs.push_back(point.cost);
+  for (const BudgetMesh& mesh : meshes)
+    if (std::isfinite(mesh.removal)) costs.push_back(mesh.removal);
   std::sort(costs.begin(), costs.end());
   costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
   return costs;
@@ -49,6 +51,10 @@ Cut cutAt(std::span<const BudgetMesh> meshes, double cost, const Cut& last, doub
     // A program that chooses a level for each object needs levels between a fine and a coarse one: no mesh takes more
     // than two steps at once.
     const auto floor = static_cast<std::uint32_t>(std::ceil(step * step * last.triangles[m]));
+    if (last.triangles[m] == 0 || (meshes[m].removal <= cost && floor <= kMinLevelTriangles)) {
+      cut.triangles.push_back(0);
+      continue;
+    }
     const std::uint32_t least = std::max(std::min(floor, meshes[m].unseen), kMinLevelTriangles);
     const std::uint32_t wanted = std::max(trianglesAt(meshes[m], cost), least);
     cut.triangles.push_back(wanted > kMostStep * last.triangles[m] ? last.triangles[m] : wanted);
