@@ -298,7 +298,8 @@ void addMeshOptions(CLI::App& program, BakeOptions& bake) {
       .add_option(
           "--budget", bake.sceneBudget,
           "Apply the ratios to the scene as a whole, or to each mesh by itself. scene: the least error goes first "
-          "in all meshes, and vertices that the borders of meshes share stay; not with --preset draft")
+          "in all meshes, small meshes may be left out of coarse levels, and vertices that the borders of meshes share "
+          "stay; not with --preset draft")
       ->transform(CLI::Validator(budgetNumber, ""))
       ->type_name("scene|mesh")
       ->default_str("scene");
