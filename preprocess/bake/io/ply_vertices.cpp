@@ -59,19 +59,46 @@ int slotOf(std::string_view name) {
 
 namespace {
 
-/// The value of full colour: floats reach 1, ushort 65535, and all other integers 255, whatever their width.
+constexpr int kFirstColor = 8;      // slot of red
+constexpr double kRounding = 1e-3;  // of colours
+
+bool isFloat(Type type) {
+  return type == Type::kFloat || type == Type::kDouble;
+}
+
+/// The value of full colour: ushort reaches 65535, and all other integers 255, whatever their width. Floats reach 1 or
+/// 255, see finishColors.
 double colorScale(Type type) {
-  if (type == Type::kFloat || type == Type::kDouble) return 1.0;
   return type == Type::kUint16 ? 65535.0 : 255.0;
 }
 
-/// A colour component as a share of full colour. Errors: kMalformed unless it lies in [0, 1] but for rounding.
+/// A colour component as a share of full colour; floats as they are.
+/// Errors: kMalformed unless it lies in the range of its type but for rounding.
 double colorShare(const Input& input, double value, Type type) {
-  constexpr double kRounding = 1e-3;
   const double share = value / colorScale(type);
   if (!(share >= -kRounding && share <= 1.0 + kRounding))
     input.fail(fmt::format("the colour {:g} of a PLY vertex is outside [0, {:g}]", value, colorScale(type)));
-  return std::clamp(share, 0.0, 1.0);
+  return isFloat(type) ? value : std::clamp(share, 0.0, 1.0);
+}
+
+/// Makes linear colours of those that were read. Some programs write bytes as floats: if a float of any colour exceeds
+/// 1, they all reach 255. Alpha stands for itself.
+void finishColors(const Element& element, std::vector<glm::vec4>& colors) {
+  glm::bvec4 floats(false);
+  for (const Property& property : element.properties) {
+    const int slot = property.countType ? -1 : slotOf(property.name);
+    if (slot >= kFirstColor) floats[slot - kFirstColor] = isFloat(property.type);
+  }
+  glm::vec4 most(0.0F);
+  for (const glm::vec4& color : colors)
+    most = glm::max(most, color);
+  const auto fullAt = [](float largest) { return largest > 1.0 + kRounding ? 255.0F : 1.0F; };
+  const float fullColor = fullAt(std::max({most.r, most.g, most.b}));
+  const glm::vec4 full = glm::mix(glm::vec4(1.0F), {fullColor, fullColor, fullColor, fullAt(most.a)}, floats);
+  for (glm::vec4& color : colors) {
+    color = glm::clamp(color / full, 0.0F, 1.0F);
+    color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b), color.a};
+  }
 }
 
 /// What the vertices have, by slot. Errors: kMalformed (no position, a property twice).
@@ -105,15 +132,14 @@ void readVertices(Input& input, const Element& element, Encoding encoding, Polyg
       }
       const double value = input.value(property.type, encoding);
       if (!std::isfinite(static_cast<float>(value))) input.fail("a PLY vertex holds NaN or an infinite number");
-      values[static_cast<std::size_t>(slot)] = slot >= 8 ? colorShare(input, value, property.type) : value;
+      values[static_cast<std::size_t>(slot)] = slot >= kFirstColor ? colorShare(input, value, property.type) : value;
     }
     mesh.positions.emplace_back(values[0], values[1], values[2]);
     if (hasNormals) mesh.normals.emplace_back(values[3], values[4], values[5]);
     if (hasUvs) mesh.uvs.emplace_back(values[6], 1.0F - static_cast<float>(values[7]));
-    if (hasColors)
-      mesh.colors.emplace_back(linearFromSrgb(values[8]), linearFromSrgb(values[9]), linearFromSrgb(values[10]),
-                               values[11]);
+    if (hasColors) mesh.colors.emplace_back(values[8], values[9], values[10], values[11]);
   }
+  if (hasColors) finishColors(element, mesh.colors);
 }
 
 }  // namespace jalousie::bake::ply
