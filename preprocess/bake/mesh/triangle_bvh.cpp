@@ -12,6 +12,8 @@ namespace jalousie::bake {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// A squared distance of which single precision tells no more: no triangle can be found to be nearer.
+constexpr float kTouching = 1e-14F;
 
 /// Nearest point of a segment as the parameter in [0, 1] from a to b.
 double nearestOnSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
@@ -262,7 +264,7 @@ inline void TriangleBvh::search(const glm::vec3& point, const Accepts& accepts, 
   search.stack[search.size++] = {root_, 0.0F};
   const glm::vec3 scaled = scale_ * point;
   const Vec4 p = {all(scaled.x), all(scaled.y), all(scaled.z)};
-  while (search.size > 0) {
+  while (search.size > 0 && search.best > kTouching) {
     const Search::Entry entry = search.stack[--search.size];
     if (entry.distance2 > search.best) continue;
     if ((entry.node & kLeaf) != 0) {

@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kMargin = 1.05;      // largest result, relative to the largest distance found
 constexpr double kNegligible = 1e-7;  // of the diagonal
+/// How far vertices of a flat face may lie off its plane and its rim, in kNegligible: the refit moves them by about as
+/// much. A piece whose bound over the face is below the second multiple lies in the face.
+constexpr double kFlat = 8.0;
+constexpr double kInFace = 256.0;
 
 /// For each wedge its chart: the lowest wedge that is connected to it by triangles.
 std::vector<std::uint32_t> findCharts(const WedgeMesh& mesh) {
@@ -29,6 +33,7 @@ struct Direction {
   const WedgeMesh& from;
   const WedgeMesh& to;
   const TriangleBvh& bvh;                    ///< of `to`
+  const FlatPatches& patches;                ///< of `to`
   std::span<const std::uint32_t> seeds;      ///< per vertex of `from` a triangle of `to`, or empty
   std::span<const std::uint32_t> fromChart;  ///< per wedge of `from`
   std::span<const std::uint32_t> toChart;
@@ -109,7 +114,6 @@ class MaximumSearch {
   double run() {
     probeVertices();
     collectPieces();
-    const auto open = [&] { return std::max(found_ * closeEnough_, direction_.negligible); };
     while (!queue_.empty() && searches_ > 0 && found_ <= giveUp_ && queue_.front().bound > open()) {
       std::pop_heap(queue_.begin(), queue_.end(), isLess);
       const Piece piece = queue_.back();
@@ -175,12 +179,28 @@ class MaximumSearch {
     return bound;
   }
 
+  /// The least bound by the flat faces that the corners' nearest triangles belong to.
+  float patchBound(const Piece& piece) const {
+    const auto& [a, b, c] = piece.corners;
+    double bound = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k)
+      bound = std::min(bound, direction_.patches.bound(piece.corners[k].nearest, {a.point, b.point, c.point}));
+    return static_cast<float>(bound);
+  }
+
   bool matters(Piece& piece) const {
     piece.bound = lipschitzBound(piece);
     if (piece.bound <= found_ * closeEnough_) return false;
     piece.bound = std::min(piece.bound, convexBound(piece));
+    if (piece.bound <= open()) return false;
+    const float overPatch = patchBound(piece);
+    if (overPatch <= kInFace * direction_.negligible) return false;
+    piece.bound = std::min(piece.bound, overPatch);
     return piece.bound > found_ * closeEnough_;
   }
+
+  /// Bounds below this are not closed in on.
+  double open() const { return std::max(found_ * closeEnough_, direction_.negligible); }
 
   void collectPieces() {
     const WedgeMesh& mesh = direction_.from;
@@ -266,10 +286,12 @@ DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& op
       options_(options),
       bvh_(original.positions, vertexIndices(original)),
       negligible_(negligibleLength(boundsOf(original.positions))),
+      patches_(original.positions, vertexIndices(original), kFlat * negligible_),
       chartOf_(findCharts(original)) {}
 
 Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap) const {
   const TriangleBvh levelBvh(level.positions, vertexIndices(level));
+  const FlatPatches levelPatches(level.positions, vertexIndices(level), kFlat * negligible_);
   std::vector<std::uint32_t> levelSeeds;
   std::vector<std::uint32_t> originalSeeds;
   if (!vertexMap.empty()) {
@@ -287,8 +309,10 @@ Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::u
   for (std::size_t w = 0; w < levelChart.size(); ++w)
     levelChart[w] = level.sourceWedge[w] < chartOf_.size() ? chartOf_[level.sourceWedge[w]] : ~0U;
 
-  const Direction there{level, original_, bvh_, levelSeeds, levelChart, chartOf_, options_.slices, negligible_};
-  const Direction back{original_, level, levelBvh, originalSeeds, chartOf_, levelChart, options_.slices, negligible_};
+  const Direction there{level,    original_,       bvh_,       patches_, levelSeeds, levelChart,
+                        chartOf_, options_.slices, negligible_};
+  const Direction back{original_, level,      levelBvh,        levelPatches, originalSeeds,
+                       chartOf_,  levelChart, options_.slices, negligible_};
   const std::size_t samples = samplesFor(options_, level.triangles());
   const Measured to = measureSamples(there, sampleSurface(level, samples));
   const Measured from = measureSamples(back, sampleSurface(original_, samples));
