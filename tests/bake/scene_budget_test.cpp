@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
@@ -189,19 +190,66 @@ TEST(SceneBudget, NothingOpensBetweenMeshesThatTouch) {
   }
 }
 
-TEST(SceneBudget, OnlyEqualPlacesUnderEqualTransformsTouch) {
-  const std::vector<glm::vec3> first = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  const std::vector<glm::vec3> second = {{2, 0, 0}, {-0.0F, 0, 0}, {3, 0, 0}};
+TEST(SceneBudget, EqualPlacesInTheSceneTouch) {
+  using Places = std::vector<glm::vec3>;
+  const Places first = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  const Places second = {{2, 0, 0}, {-0.0F, 0, 0}, {3, 0, 0}};
   const glm::dmat4 here(1.0);
-  const glm::dmat4 there = glm::dmat4(2.0);
+  const glm::dmat4 twice = glm::scale(here, glm::dvec3(2.0));
   const auto touching =
-      touchingPlaces(std::vector<MeshBorder>{{{here}, first}, {{there, here}, second}, {{there}, first}});
-  EXPECT_EQ(touching[0], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
-  EXPECT_EQ(touching[1], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
-  EXPECT_EQ(touching[2], (std::vector<glm::vec3>{{0, 0, 0}, {2, 0, 0}}));
-  const std::vector<MeshBorder> apart = {{{here}, first}, {{there}, first}, {{here, here}, {{5, 5, 5}, {5, 5, 5}}}};
-  for (const std::vector<glm::vec3>& own : touchingPlaces(apart))
-    EXPECT_TRUE(own.empty());
+      touchingPlaces(std::vector<MeshBorder>{{{here}, first}, {{twice, here}, second}, {{twice}, first}});
+  EXPECT_EQ(touching[0], (Places{{0, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(touching[1], (Places{{0, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(touching[2], first);
+  // Copies of one mesh side by side touch, but not two at one place.
+  const Places tile = {{0, 0, 0}, {0.1F, 0, 0}, {0.3F, 0, 0}};
+  const glm::dmat4 beside = glm::translate(here, glm::dvec3(0.3, 0.0, 0.0));
+  EXPECT_EQ(touchingPlaces(std::vector<MeshBorder>{{{here, beside}, tile}})[0], (Places{{0, 0, 0}, {0.3F, 0, 0}}));
+  EXPECT_TRUE(touchingPlaces(std::vector<MeshBorder>{{{here, here}, tile}})[0].empty());
+  // Rotations round: a millionth of the scene is no gap, a thousandth is.
+  const glm::dmat4 turned = glm::rotate(here, 1.0, glm::dvec3(0.0, 0.0, 1.0));
+  const glm::vec3 end(turned * glm::dvec4(0.3, 0.0, 0.0, 1.0));
+  EXPECT_EQ(touchingPlaces(std::vector<MeshBorder>{{{turned}, tile}, {{here}, {end, {1, 1, 1}}}})[1], Places{end});
+  const glm::vec3 off = end + glm::vec3(1e-3F, 0.0F, 0.0F);
+  EXPECT_TRUE(touchingPlaces(std::vector<MeshBorder>{{{turned}, tile}, {{here}, {off, {1, 1, 1}}}})[1].empty());
+  EXPECT_TRUE(touchingPlaces(std::vector<MeshBorder>{{{here}, {}}, {{here}, {{1, 1, 1}}}})[1].empty());
+}
+
+TEST(SceneBudget, ManyPlacesInOneCellAreNotComparedOneByOne) {
+  std::vector<MeshBorder> meshes(2);
+  for (std::size_t m = 0; m < 2; ++m) {
+    meshes[m].transforms = {glm::dmat4(1.0)};
+    for (int i = 0; i < 100'000; ++i)
+      meshes[m].places.emplace_back(1e-9F * static_cast<float>(i), 1e-6F * static_cast<float>(m), 0.0F);
+    meshes[m].places.emplace_back(1.0F, static_cast<float>(m), 0.0F);
+  }
+  const auto touching = touchingPlaces(meshes);  // 10^10 comparisons would not end
+  EXPECT_EQ(touching[0].size(), 100'000U);
+  EXPECT_EQ(touching[1].size(), 100'000U);
+}
+
+TEST(SceneBudget, NothingOpensBetweenPlatesThatNodesMove) {
+  tinygltf::Model model;
+  model.asset.version = "2.0";
+  addMesh(model, test::grid(24));
+  const asset::Primitive plate = test::grid(24);
+  glm::vec3 low(1e9F);
+  glm::vec3 high(-1e9F);
+  for (const glm::vec3& p : plate.positions)
+    low = glm::min(low, p), high = glm::max(high, p);
+  tinygltf::Node beside = model.nodes[0];
+  beside.translation = {high.x - low.x, 0.0, 0.0};
+  model.nodes.push_back(beside);
+  model.scenes[0].nodes.push_back(1);
+  addMesh(model, test::sphere(24, 12));
+  bakeIt(model, true, 0.1);
+  const int lower = asset::lodNodes(model, 0).back();
+  const tinygltf::Mesh& coarse =
+      model.meshes[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(lower)].mesh)];
+  std::size_t atSeam = 0;
+  for (const glm::vec3& p : asset::readVec3(model, coarse.primitives[0].attributes.at("POSITION"), 1U << 20U))
+    if (p.x == low.x || p.x == high.x) ++atSeam;
+  EXPECT_EQ(atSeam, 50U) << "both seams keep all their vertices";
 }
 
 TEST(SceneBudget, ASmallMeshEndsInALevelThatShowsNothing) {

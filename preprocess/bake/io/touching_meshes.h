@@ -17,8 +17,9 @@ struct MeshBorder {
   std::vector<glm::vec3> places;       ///< of vertices of open edges, object space
 };
 
-/// For each mesh the places that another one shares, in ascending order: equal object-space positions under equal
-/// transforms.
+/// For each mesh the places that another node shares, in ascending order: positions in the scene that differ by at most
+/// a millionth of the diagonal of all of them. Nodes of one mesh count as others, unless their transforms are equal.
+/// Meshes of millions of places, times nodes, are looked at in their first nodes only.
 std::vector<std::vector<glm::vec3>> touchingPlaces(std::span<const MeshBorder> meshes);
 
 /// For each vertex of a mesh 1 if it lies at one of the places. @param places  of touchingPlaces; empty: the result is

@@ -38,6 +38,14 @@ std::uint32_t trianglesAt(const BudgetMesh& mesh, double cost) {
   return end == mesh.costs.begin() ? mesh.triangles : std::prev(end)->triangles;
 }
 
+/// Whether a mesh may be left out of a level: two steps would leave less than a triangle of it, or less than a level
+/// where no collapse is left. @param last  its triangles in the level before
+bool mayGo(const BudgetMesh& mesh, std::uint32_t last, double step) {
+  const std::uint32_t fewest = mesh.costs.empty() ? mesh.triangles : mesh.costs.back().triangles;
+  const double floor = step * step * last;
+  return floor <= 1.0 || (floor <= kMinLevelTriangles && kMostStep * last <= fewest);
+}
+
 /// One level of all meshes.
 struct Cut {
   std::vector<std::uint32_t> triangles;  ///< by mesh
@@ -51,7 +59,7 @@ Cut cutAt(std::span<const BudgetMesh> meshes, double cost, const Cut& last, doub
     // A program that chooses a level for each object needs levels between a fine and a coarse one: no mesh takes more
     // than two steps at once.
     const auto floor = static_cast<std::uint32_t>(std::ceil(step * step * last.triangles[m]));
-    if (last.triangles[m] == 0 || (meshes[m].removal <= cost && floor <= kMinLevelTriangles)) {
+    if (last.triangles[m] == 0 || (meshes[m].removal <= cost && mayGo(meshes[m], last.triangles[m], step))) {
       cut.triangles.push_back(0);
       continue;
     }
