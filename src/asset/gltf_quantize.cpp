@@ -17,6 +17,7 @@
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "core/error.h"
 
 namespace jalousie::asset {
@@ -219,8 +220,10 @@ void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid&
     }
   }
   const CellTriangles cells = lodCells(model, mesh);
+  const LodFaces faces = lodFaces(model, mesh);
   setLodInfo(mesh, *info);
   if (!cells.empty()) setLodCells(mesh, cells);
+  setLodFaces(mesh, faces);
 }
 
 /// A child of the node that carries the mesh back to object space.

@@ -16,6 +16,7 @@
 #include "asset/camera_validate.h"
 #include "asset/gltf_images.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "asset/node_graph.h"
 #include "core/error.h"
 
@@ -136,6 +137,7 @@ std::vector<std::size_t> validateMeshes(const Model& model) {
       validatePrimitive(model, primitive, i);
     try {
       lodInfo(mesh);
+      lodFaces(model, mesh);
       cells.push_back(cellCount(lodCells(model, mesh)));
     } catch (const Error& error) {
       throw Error(error.code(), fmt::format("mesh {}: {}", i, error.what()));

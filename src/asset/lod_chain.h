@@ -3,17 +3,20 @@
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
 //                      The last node may hold nothing: below the threshold before it, the object is not shown.
-// On each level's mesh: extras.jalousie = {"format": 4, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
+// On each level's mesh: extras.jalousie = {"format": 5, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
 //                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
-//                      "coverage": c, "target": e, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]}}
+//                      "coverage": c, "target": e, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]},
+//                      "faces": {"kind": "masks" or "clusters", "trees": [[n0, n1, ...], 0, ...]}}
 //                      D = {"max", "mean", "maxPercent", "meanPercent"}, S = {"mean", "p95"}
 //                      cells: for each primitive the triangles of each cell, in the order of the primitive's triangles
+//                      faces: for each primitive its groups of triangles of similar facing (asset/lod_faces.h)
 //
 // Version history
 //   1  first
 //   2  everything from "diagonal" to "stop"; files of format 1 are still read
 //   3  "cells", which may be absent; files of formats 1 and 2 are still read
 //   4  "target", which may be absent; files of formats 1 to 3 are still read
+//   5  "faces", which may be absent; files of formats 1 to 4 are still read
 #pragma once
 
 #include <tiny_gltf.h>
@@ -27,7 +30,7 @@
 
 namespace jalousie::asset {
 
-inline constexpr int kLodFormatVersion = 4;
+inline constexpr int kLodFormatVersion = 5;
 
 /// Distances from the points of one surface to another, object-space length.
 struct DistanceInfo {
@@ -68,7 +71,7 @@ struct LodInfo {
 using CellTriangles = std::vector<std::vector<std::uint32_t>>;
 
 /// Writes extras.jalousie of a level's mesh, keeping other extras; those that are no object become extras.value.
-/// Cells that were there are removed.
+/// Cells and groups that were there are removed.
 void setLodInfo(tinygltf::Mesh& mesh, const LodInfo& info);
 /// Reads it back; nullopt if absent. Errors: kMalformed (wrong types, negative, a mean above its maximum, unknown
 /// format version).

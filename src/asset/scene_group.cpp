@@ -31,6 +31,7 @@ void place(Primitive& primitive, const glm::dmat4& transform) {
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3)
       std::swap(primitive.indices[i + 1], primitive.indices[i + 2]);
   primitive.cellEnds.clear();
+  primitive.faceTree.clear();
 }
 
 std::uint64_t elementsOf(const Mesh& mesh) {

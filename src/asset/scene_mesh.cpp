@@ -11,6 +11,7 @@
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -225,6 +226,7 @@ Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context
   Mesh result;
   result.name = source.name;
   const CellTriangles cells = lodCells(model, source);
+  const LodFaces faces = lodFaces(model, source);
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || !primitive.attributes.contains("POSITION")) continue;
@@ -234,6 +236,7 @@ Mesh readMesh(const tinygltf::Model& model, int mesh, const MeshContext& context
     if (read.indices.empty()) continue;
     if (isBent) bending->push_back(std::move(own));
     if (!cells.empty() && !isBent) read.cellEnds = cellEnds(cells[p]);
+    if (!faces.trees.empty() && !isBent) read.faceTree = faces.trees[p];
     result.primitives.push_back(std::move(read));
   }
   return result;

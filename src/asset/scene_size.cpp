@@ -15,6 +15,7 @@
 #include "asset/image_io.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "asset/lod_group.h"
 #include "asset/mesh_pose.h"
 #include "asset/node_graph.h"
@@ -184,6 +185,8 @@ class Counter {
     const MeshSize size = sizeOf(source);
     meshes_.emplace(mesh, size);
     size_.cellEnds += cellCount(lodCells(model_, source)) * source.primitives.size();
+    for (const FaceTree& tree : lodFaces(model_, source).trees)
+      size_.faceNumbers += tree.size();
     size_.vertices += size.vertices;
     size_.indices += size.indices;
     if (mesh.posedNode >= 0) countBending(source);

@@ -23,6 +23,7 @@ struct SceneSize {
   std::uint64_t looseVertices = 0;   ///< points and ends of lines, of all nodes
   std::uint64_t looseInstances = 0;  ///< of nodes with points or lines
   std::uint64_t cellEnds = 0;        ///< of all primitives
+  std::uint64_t faceNumbers = 0;     ///< of all primitives: numbers of their trees of groups
   std::uint64_t chains = 0;
   std::uint64_t levels = 0;            ///< of all chains
   std::uint64_t coarsestVertices = 0;  ///< of the last level of each chain
@@ -32,6 +33,7 @@ struct SceneSize {
   std::uint64_t levelTriangles = 0;    ///< LOD 0 of every chain, times the chain's levels
   std::uint64_t cells = 0;             ///< that objects are drawn in; 0: objects are drawn whole
   std::uint64_t cellLevels = 0;        ///< of all chains of cells
+  std::uint64_t faceNodes = 0;         ///< groups of back faces and nodes above them; 0: they are not culled
   std::uint64_t motionBytes = 0;       ///< of SceneMotion, at most; 0 without SceneReading::plays
   std::uint64_t cameras = 0;
   std::uint64_t cameraKeys = 0;   ///< keys that cameras share count once

@@ -83,6 +83,9 @@ struct Primitive {
   /// multiples of 3, the last one is indices.size(). All primitives of all levels of a chain have equally many, or
   /// none. A cell may be empty.
   std::vector<std::uint32_t> cellEnds;
+  /// Groups of its triangles that face alike (FaceTree of asset/face_groups.h); none crosses the border of a cell.
+  /// Empty if the file has none.
+  std::vector<std::uint32_t> faceTree;
 };
 
 struct Mesh {

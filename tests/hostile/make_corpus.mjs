@@ -597,6 +597,36 @@ group('cells', 5, damaged(divided), [
     [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 2])), [ofLevel(0)]: 7 }, 0],
 ]);
 
+// Groups of back faces of the baked format -----------------------------------------
+
+/** The chain in cells with format 5 and groups. */
+const grouped = structuredClone(divided);
+for (const lod of [0, 1]) {
+  Object.assign(grouped.json.meshes[lod].extras.jalousie,
+    { format: 5, faces: { kind: 'clusters', trees: [[1, 0, 1, 1], 0] } });
+}
+const facesOf = (lod) => `/meshes/${lod}/extras/jalousie/faces`;
+
+group('faces', 5, damaged(grouped), [
+  ['valid', 'a chain with groups of triangles', {}, 0],
+  ['number', 'the table is a number', { [facesOf(0)]: 3 }],
+  ['kind', 'the kind is unknown', { [`${facesOf(0)}/kind`]: 'spheres' }],
+  ['kind-number', 'the kind is a number', { [`${facesOf(0)}/kind`]: 1 }],
+  ['trees-object', 'the trees are an object', { [`${facesOf(0)}/trees`]: { 0: [3] } }],
+  ['tree-missing', 'one primitive has no tree', { [`${facesOf(0)}/trees`]: [[1, 0, 1, 1]] }],
+  ['tree-number', 'a tree is a number', { [`${facesOf(0)}/trees/1`]: 3 }],
+  ['negative', 'a number of triangles is negative', { [`${facesOf(0)}/trees/0`]: [4, -1] }],
+  ['huge', 'a number of triangles is 1e300', { [`${facesOf(0)}/trees/0`]: [1e300] }],
+  ['incomplete', 'a node has one part', { [`${facesOf(1)}/trees/0`]: [1, 0, 2] }],
+  ['nodes-alone', 'a tree has nodes and no group', { [`${facesOf(1)}/trees/0`]: [0, 0, 0, 0] }],
+  ['sum-too-large', 'the groups have more triangles than the primitive', { [`${facesOf(0)}/trees/1`]: [1, 3] }],
+  ['sum-wraps', 'the sum is right modulo 2^32', { [`${facesOf(0)}/trees/0`]: [1, 2147483647, 2147483647, 4] }],
+  ['across-cells', 'a group has triangles of two cells', { [`${facesOf(0)}/trees/0`]: [3] }],
+  ['tree-across-cells', 'a tree has groups of two cells', { [`${facesOf(0)}/trees/0`]: [0, 1, 2] }],
+  ['older-format', 'a file of format 4 has a key of a later format', { ...Object.fromEntries(
+    [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 4])), [facesOf(0)]: 7 }, 0],
+]);
+
 const INSTANCING = '/nodes/5/extensions/EXT_mesh_gpu_instancing';
 const viewless = (count) => ({ componentType: FLOAT, type: 'VEC3', count });
 
