@@ -67,6 +67,8 @@ void checkPrimitive(const asset::Primitive& primitive, std::size_t cells) {
   for (const std::uint32_t index : primitive.indices)
     JAL_CHECK(index < primitive.positions.size());
   JAL_CHECK(primitive.cellEnds.size() == cells);
+  const std::uint64_t triangles = primitive.indices.size() / 3;
+  if (!primitive.faceTree.empty()) JAL_CHECK(asset::faceTriangles(primitive.faceTree) == triangles);
   if (cells == 0) return;
   JAL_CHECK(std::is_sorted(primitive.cellEnds.begin(), primitive.cellEnds.end()));
   JAL_CHECK(primitive.cellEnds.back() == primitive.indices.size());
@@ -223,6 +225,7 @@ bake::BakeOptions quickOptions() {
   options.chain.samples = 100;
   options.chain.preset = bake::Preset::kDraft;
   options.cells = {8, false};  // small, so that small meshes have several
+  options.faces = asset::FaceGrouping::kClusters;
   return options;
 }
 

@@ -12,6 +12,7 @@
 
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "bake/io/baked_mesh.h"
 #include "bake/io/equal_meshes.h"
 #include "bake/io/gltf_mesh.h"
@@ -164,6 +165,7 @@ Written writeEqual(tinygltf::Model& model, std::size_t index, const Document& do
   asset::setLodInfo(mesh, first.report.levels[0]);
   const asset::CellTriangles cells = asset::lodCells(model, finest);
   if (!cells.empty()) asset::setLodCells(mesh, cells);
+  asset::setLodFaces(mesh, asset::lodFaces(model, finest));
   written.levelMeshes[0] = static_cast<int>(index);
   linkNodes(model, document.channels, document.use.users[index], written.levelMeshes, written.coverage);
   return written;

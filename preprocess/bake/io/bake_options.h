@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "asset/face_groups.h"
 #include "asset/gltf_file.h"
 #include "bake/io/level_cells.h"
 #include "bake/simplify/chain_options.h"
@@ -24,6 +25,7 @@ struct BakeOptions {
   bool keepUnused = false;          ///< keep attributes that no material uses in every level
   ScreenTolerance screen;           ///< for MSFT_screencoverage
   CellOptions cells;
+  asset::FaceGrouping faces = asset::FaceGrouping::kOff;  ///< groups of triangles that face alike
   asset::Limits limits;
   TaskRunner tasks = runInOrder;  ///< bakes small meshes side by side; the result does not depend on it
 };

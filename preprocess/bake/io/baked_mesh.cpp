@@ -29,17 +29,28 @@ asset::LodInfo lodInfoOf(const LevelChain& chain, std::size_t k, double diagonal
   return {static_cast<std::uint32_t>(k), level.mesh.triangles(), 0, level.errorMax, measures};
 }
 
-/// Appends one level as a mesh. @param info  gets the number of vertices   @return  its index
-int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& level,
-               const std::optional<asset::CellTree>& tree, asset::LodInfo& info) {
-  const WrittenMesh written = appendLevelMesh(model, source, level, orderByCells(level, tree));
+std::uint64_t groupCount(const asset::LodFaces& faces) {
+  std::uint64_t groups = 0;
+  for (const asset::FaceTree& tree : faces.trees)
+    groups +=
+        static_cast<std::uint64_t>(tree.size()) - static_cast<std::uint64_t>(std::count(tree.begin(), tree.end(), 0U));
+  return groups;
+}
+
+/// Appends one level as a mesh. @param k  gets the number of vertices, level 0 that of its groups   @return  its index
+int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& level, std::size_t k,
+               BakedMesh& baked) {
+  asset::LodInfo& info = baked.prepared.report.levels[k];
+  const WrittenMesh written = appendLevelMesh(model, source, level, orderByCells(level, baked.tree), baked.faces);
+  if (k == 0) baked.prepared.report.faceGroups = groupCount(written.faces);
   tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
   if (info.lod > 0) target.name = fmt::format("{}_lod{}", source.name, info.lod);
   target.extras = info.lod == 0 ? source.extras : tinygltf::Value();
   if (info.lod == 0) target.extensions = source.extensions;
   info.vertices = written.vertices;
   asset::setLodInfo(target, info);
-  if (tree) asset::setLodCells(target, written.cells);
+  if (baked.tree) asset::setLodCells(target, written.cells);
+  asset::setLodFaces(target, written.faces);
   return written.mesh;
 }
 
@@ -77,6 +88,7 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUs
     report.levels.push_back(lodInfoOf(baked.chain, k, report.diagonal, baked.coverage[k]));
   for (const ChainLevel& level : baked.chain.levels)
     report.removedParts.push_back(level.removedParts);
+  baked.faces = options.faces;
   baked.tree = divideIntoCells(baked.prepared.mesh, options.cells);
   report.cells = baked.tree ? baked.tree->cellCount() : 0;
   baked.prepared.wedges.reset();  // the chain has a copy
@@ -87,8 +99,7 @@ std::vector<int> writeLevels(tinygltf::Model& model, std::size_t index, BakedMes
   const tinygltf::Mesh source = model.meshes[index];
   std::vector<int> levelMeshes;
   for (std::size_t k = 0; k < baked.chain.levels.size(); ++k)
-    levelMeshes.push_back(
-        writeLevel(model, source, combinedLevel(baked, k), baked.tree, baked.prepared.report.levels[k]));
+    levelMeshes.push_back(writeLevel(model, source, combinedLevel(baked, k), k, baked));
   // LOD 0 takes the index of the original mesh, so references to it stay valid.
   model.meshes[index] = std::move(model.meshes[static_cast<std::size_t>(levelMeshes[0])]);
   model.meshes.erase(model.meshes.begin() + levelMeshes[0]);

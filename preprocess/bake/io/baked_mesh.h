@@ -19,6 +19,7 @@ struct BakedMesh {
   LevelChain chain;  ///< without levels if the mesh is passed through
   std::vector<float> coverage;
   std::optional<asset::CellTree> tree;
+  asset::FaceGrouping faces = asset::FaceGrouping::kOff;
 };
 
 /// Reads and simplifies a mesh. Changes nothing, so meshes can be baked side by side. Errors: as prepareMesh.

@@ -13,6 +13,7 @@
 #include "asset/accessor.h"
 #include "asset/gltf_known.h"
 #include "bake/io/kept_attributes.h"
+#include "bake/mesh/bounds.h"
 #include "core/check.h"
 #include "core/error.h"
 
@@ -291,6 +292,8 @@ PrimitiveData joinRegions(const CombinedMesh& combined, const PrimitiveRange& ra
 struct LevelMesh {
   const CombinedMesh& combined;
   const asset::CellOrder& order;
+  asset::FaceGrouping faces;
+  Aabb bounds;
   tinygltf::Mesh& mesh;
 };
 
@@ -310,10 +313,38 @@ std::vector<std::uint32_t> renumber(std::span<std::uint32_t> indices, std::vecto
   return order;
 }
 
-/// Reorders each cell for the vertex cache, then numbers vertices by first use. @return  vertices in their new order
-/// @pre indices below vertexCount
-std::vector<std::uint32_t> optimiseOrder(LocalTriangles& local, std::uint32_t vertexCount) {
-  std::vector<std::uint32_t> newIndex(vertexCount, ~0U);
+/// Whether back faces of a primitive are never seen: groups of them can be culled.
+bool isSolid(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  if (primitive.material < 0 || static_cast<std::size_t>(primitive.material) >= model.materials.size()) return true;
+  const tinygltf::Material& material = model.materials[static_cast<std::size_t>(primitive.material)];
+  return !material.doubleSided && material.alphaMode != "MASK" && material.alphaMode != "BLEND";
+}
+
+/// Puts the triangles of each cell in the order of groups. @param positions  of the primitive's vertices
+/// @return  the trees of all cells
+asset::FaceTree groupCells(LocalTriangles& local, std::span<const glm::vec3> positions, const LevelMesh& level) {
+  asset::FaceTree trees;
+  std::size_t first = 0;
+  for (const std::uint32_t count : local.cellSizes) {
+    const std::span cell = std::span(local.indices).subspan(first, 3 * std::size_t{count});
+    first += cell.size();
+    std::vector<asset::Triangle> triangles;
+    for (std::size_t i = 0; i < cell.size(); i += 3)
+      triangles.push_back({positions[cell[i]], positions[cell[i + 1]], positions[cell[i + 2]]});
+    const asset::FaceOrder order = asset::groupFaces(triangles, level.bounds, level.faces);
+    trees.insert(trees.end(), order.tree.begin(), order.tree.end());
+    std::vector<std::uint32_t> grouped;
+    grouped.reserve(cell.size());
+    for (const std::uint32_t t : order.triangles)
+      grouped.insert(grouped.end(), {cell[3 * t], cell[3 * t + 1], cell[3 * t + 2]});
+    std::copy(grouped.begin(), grouped.end(), cell.begin());
+  }
+  return trees;
+}
+
+/// Reorders each cell for the vertex cache. @param newIndex  per vertex ~0; it is restored
+/// @pre indices below the size of newIndex
+void optimiseOrder(LocalTriangles& local, std::vector<std::uint32_t>& newIndex) {
   std::size_t first = 0;
   for (const std::uint32_t triangles : local.cellSizes) {
     const std::span cell = std::span(local.indices).subspan(first, 3 * std::size_t{triangles});
@@ -326,7 +357,6 @@ std::vector<std::uint32_t> optimiseOrder(LocalTriangles& local, std::uint32_t ve
     for (std::uint32_t& index : cell)
       index = vertices[index];
   }
-  return renumber(local.indices, newIndex);
 }
 
 }  // namespace
@@ -369,7 +399,12 @@ void appendPrimitive(tinygltf::Model& model, const tinygltf::Primitive& source, 
   LocalTriangles local = trianglesOf(level.combined, range, level.order);
   if (local.indices.empty()) return;
   const PrimitiveData data = joinRegions(level.combined, range);
-  const std::vector<std::uint32_t> vertices = optimiseOrder(local, data.vertexCount);
+  std::vector<std::uint32_t> newIndex(data.vertexCount, ~0U);
+  optimiseOrder(local, newIndex);
+  const bool grouped = level.faces != asset::FaceGrouping::kOff && isSolid(model, source);
+  const auto positions = std::span(level.combined.positions).subspan(data.firstVertex, data.vertexCount);
+  written.faces.trees.push_back(grouped ? groupCells(local, positions, level) : asset::FaceTree());
+  const std::vector<std::uint32_t> vertices = renumber(local.indices, newIndex);
   tinygltf::Primitive primitive = source;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   primitive.attributes.clear();
@@ -390,22 +425,25 @@ void appendPrimitive(tinygltf::Model& model, const tinygltf::Primitive& source, 
 }  // namespace
 
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const asset::CellOrder& order) {
+                            const asset::CellOrder& order, asset::FaceGrouping faces) {
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;
+  written.faces.grouping = faces;
+  const LevelMesh level{combined, order, faces, boundsOf(combined.positions), mesh};
   std::size_t at = 0;
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     if (!hasTriangles(source.primitives[p])) {
       mesh.primitives.push_back(source.primitives[p]);
       written.cells.emplace_back(order.ends.size(), 0U);
+      written.faces.trees.emplace_back();
       continue;
     }
     PrimitiveRange range{at, at};
     while (range.end < combined.primitives.size() && combined.primitives[range.end].source == p)
       ++range.end;
     at = range.end;
-    if (range.end > range.first) appendPrimitive(model, source.primitives[p], range, {combined, order, mesh}, written);
+    if (range.end > range.first) appendPrimitive(model, source.primitives[p], range, level, written);
   }
   written.mesh = static_cast<int>(model.meshes.size());
   model.meshes.push_back(std::move(mesh));

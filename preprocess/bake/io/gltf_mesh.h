@@ -8,6 +8,7 @@
 
 #include "asset/gltf_file.h"
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 #include "bake/io/level_cells.h"
 #include "bake/mesh/combined_mesh.h"
 
@@ -31,13 +32,14 @@ struct WrittenMesh {
   int mesh = -1;               ///< index in the document
   std::uint32_t vertices = 0;  ///< of all its primitives
   asset::CellTriangles cells;  ///< a list for each written primitive
+  asset::LodFaces faces;       ///< a tree for each written primitive; empty for those that are left whole
 };
 
 /// Appends a mesh with the primitives of `source` and the triangles of `combined`: points and lines as they are,
-/// triangles cell by cell, within a cell in the order of the vertex cache, vertices in the order of their first use.
-/// Primitives without triangles are left out.
-/// @param order  of the triangles of `combined`
+/// triangles cell by cell, within a cell group by group, within a group in the order of the vertex cache, vertices in
+/// the order of their first use. Primitives without triangles are left out.
+/// @param order  of the triangles of `combined`   @param faces  groups of single-sided opaque triangles
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const asset::CellOrder& order);
+                            const asset::CellOrder& order, asset::FaceGrouping faces = asset::FaceGrouping::kOff);
 
 }  // namespace jalousie::bake

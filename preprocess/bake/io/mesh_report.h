@@ -29,6 +29,7 @@ struct MeshReport {
   std::vector<std::uint32_t> removedParts;  ///< of each level: loose parts that were removed as a whole
   std::uint32_t cells = 0;                  ///< of each level; 0: not divided
   bool endsInNothing = false;               ///< below the last level, the mesh is left out
+  std::uint64_t faceGroups = 0;             ///< of triangles that face alike, in LOD 0
   std::string stopReason;
   std::string passedThrough;  ///< why, if it was
   MeshFindings findings;

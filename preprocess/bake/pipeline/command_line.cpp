@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "asset/lod_faces.h"
 #include "bake/pipeline/build_identity.h"
 #include "cli/force_option.h"
 #include "cli/memory_option.h"
@@ -284,6 +285,26 @@ void addCellOption(CLI::App& program, CellOptions& cells) {
       ->default_str("auto");
 }
 
+void addFaceOption(CLI::App& program, asset::FaceGrouping& faces) {
+  using Grouping = asset::FaceGrouping;
+  std::vector<std::string> names;
+  for (const Grouping grouping : {Grouping::kOff, Grouping::kMasks, Grouping::kClusters})
+    names.emplace_back(asset::nameOf(grouping));
+  program
+      .add_option_function<std::string>(
+          "--backface",
+          [&faces](const std::string& name) {
+            for (const Grouping grouping : {Grouping::kOff, Grouping::kMasks, Grouping::kClusters})
+              if (name == asset::nameOf(grouping)) faces = grouping;
+          },
+          "Order the triangles of each cell by groups that face alike, so that render --backface culls back faces "
+          "before they are drawn. masks: by the direction of their normals; clusters: by direction and place, with a "
+          "tree above them; off: no groups")
+      ->check(CLI::IsMember(names).description(""))
+      ->type_name("off|masks|clusters")
+      ->default_str("off");
+}
+
 /// Replaces the name of a budget by whether it is the scene's. @return  empty, or what is wrong with the name
 std::string budgetNumber(std::string& name) {
   const std::string known = CLI::detail::to_lower(name);
@@ -344,6 +365,7 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
       ->type_name(rangeText(100U, 10'000'000U));
   addMeshOptions(program, result.bake);
   addCellOption(program, result.bake.cells);
+  addFaceOption(program, result.bake.faces);
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");

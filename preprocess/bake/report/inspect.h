@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asset/lod_chain.h"
+#include "asset/lod_faces.h"
 
 namespace jalousie::bake {
 
@@ -19,12 +20,21 @@ struct InspectedCells {
   std::uint64_t largest = 0;  ///< triangles
 };
 
+/// Groups of triangles that face alike, of all primitives.
+struct InspectedFaces {
+  asset::FaceGrouping grouping = asset::FaceGrouping::kOff;  ///< kOff: there are none
+  std::uint64_t groups = 0;
+  std::uint64_t triangles = 0;  ///< in groups; the others are left whole
+  std::uint64_t largest = 0;    ///< triangles of the largest group
+};
+
 struct InspectedLevel {
   int mesh = -1;
   std::uint64_t triangles = 0;         ///< of indexed and plain lists, strips and fans
   std::uint64_t vertices = 0;          ///< sum of the primitives' POSITION counts
   std::optional<asset::LodInfo> info;  ///< what our baker wrote; absent in other tools' files
   InspectedCells cells;
+  InspectedFaces faces;
 };
 
 /// LOD 0 first. A mesh without MSFT_lod is a chain of one level.
@@ -37,7 +47,7 @@ struct InspectedChain {
 };
 
 /// Chains by the meshes of their LOD 0, in the order of the meshes.
-/// Errors: kMalformed (of lodNodes, lodInfo and lodCells).
+/// Errors: kMalformed (of lodNodes, lodInfo, lodCells and lodFaces).
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
 /// One table per chain; '-' for figures that the file does not store.
@@ -45,7 +55,8 @@ std::string inspectText(const std::vector<InspectedChain>& chains);
 /// {"chains": [{"name", "nodes", "ends_in_nothing", "levels": [{"lod", "triangles", "vertices", "screen_coverage",
 ///   and, where the file says, "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
 ///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
-///   "stop", "cells": {"count", "filled", "largest", "mean"}}]}]}
+///   "stop", "cells": {"count", "filled", "largest", "mean"},
+///   "faces": {"kind", "groups", "triangles", "largest"}}]}]}
 std::string inspectJson(const std::vector<InspectedChain>& chains);
 
 }  // namespace jalousie::bake

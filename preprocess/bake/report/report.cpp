@@ -91,7 +91,9 @@ std::string reportText(const std::vector<MeshReport>& meshes) {
       continue;
     }
     const std::string cells = mesh.cells > 0 ? fmt::format(" of {} cells", mesh.cells) : "";
-    text += fmt::format("{}: {} levels{}, {}\n", oneLine(mesh.name), mesh.levels.size(), cells, mesh.stopReason);
+    const std::string groups = mesh.faceGroups > 0 ? fmt::format(", {} groups in LOD 0", mesh.faceGroups) : "";
+    text +=
+        fmt::format("{}: {} levels{}{}, {}\n", oneLine(mesh.name), mesh.levels.size(), cells, groups, mesh.stopReason);
     text += findingsText(mesh.findings);
     if (!mesh.removedParts.empty() && mesh.removedParts.back() > 0)
       text += fmt::format("  {} of {} loose parts are left out of the last level\n", mesh.removedParts.back(),
@@ -135,6 +137,7 @@ std::string reportJson(const std::vector<MeshReport>& meshes, const std::vector<
     entry["nodes"] = mesh.nodes;
     entry["diagonal"] = mesh.diagonal;
     entry["cells"] = mesh.cells;
+    entry["face_groups"] = mesh.faceGroups;
     entry["stop"] = mesh.stopReason;
     entry["ends_in_nothing"] = mesh.endsInNothing;
     entry["passed_through"] = mesh.passedThrough;
