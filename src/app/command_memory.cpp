@@ -32,9 +32,11 @@ bool hasPatches(const RenderOptions& options) {
   return rowOf(options.frameOptions.detail).patches;
 }
 
-/// With the cells of the options, which have no effect on patches.
+/// With the cells and groups of the options, which have no effect on patches.
 asset::SceneSize dividedSize(const asset::SceneSize& whole, const RenderOptions& options) {
-  return hasPatches(options) ? whole : scene::withCells(whole, options.cells);
+  if (hasPatches(options)) return whole;
+  return scene::withFaces(scene::withCells(whole, options.cells),
+                          options.frameOptions.faceCulling != FaceCulling::kOff);
 }
 
 /// Everything that one renderer allocates.
@@ -89,7 +91,7 @@ MemoryEstimate compareNeeds(const asset::SceneSize& size, const ComparisonSize& 
   MemoryEstimate needs = sum({base(), scene::imageNeeds(size), scene::fileNeeds(size), scene::sceneNeeds(size, false)});
   MemoryEstimate each;
   for (const scene::BuildOptions& build : comparison.builds) {
-    const asset::SceneSize built = scene::withCells(size, build.cells);
+    const asset::SceneSize built = scene::withFaces(scene::withCells(size, build.cells), build.faces);
     if (build != scene::BuildOptions{}) needs.add(scene::sceneNeeds(built, build.patches));
     each = larger(each, sum({render::bufferNeeds(built, build.patches, {}),
                              render::targetNeeds(comparison.width, comparison.height)}));

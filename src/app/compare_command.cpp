@@ -54,7 +54,9 @@ void setUp(const CompareOptions& options, Setup& setup) {
     const RenderOptions render = optionsOf(text);
     compare::Configuration configuration{
         text.name, text.options, render.frameOptions, render.rendererOptions,
-        scene::BuildOptions{.patches = rowOf(render.frameOptions.detail).patches, .cells = render.cells}};
+        scene::BuildOptions{.patches = rowOf(render.frameOptions.detail).patches,
+                            .cells = render.cells,
+                            .faces = render.frameOptions.faceCulling != FaceCulling::kOff}};
     if (configuration.build.patches) configuration.build.cells = {};  // --cells has no effect on patches
     configuration.renderer.memory = options.memory;
     if (!render.importance.empty()) {

@@ -44,6 +44,10 @@ constexpr BuiltIn kBuiltIns[] = {
     {"eye-siding-planes", "--mode eye-siding --plane-depth 16 --lod pixel-error --cells off"},
     {"query-conditional", "--mode query-conditional --lod pixel-error --cells off"},
     {"query-buffer", "--mode query-buffer --lod pixel-error --cells off"},
+    {"faces-mask", "--mode hiz --lod pixel-error --backface mask"},
+    {"faces-cluster", "--mode hiz --lod pixel-error --backface cluster"},
+    {"faces-tree", "--mode hiz --lod pixel-error --backface tree"},
+    {"faces-cone", "--mode hiz --lod pixel-error --backface cone"},
     {"default", ""},
     {"calm", "--calm"},
     {"discrete", "--detail discrete"},
@@ -63,6 +67,8 @@ constexpr Set kSets[] = {
      "frustum,hiz,query-wait,query-batch,chc-flat,chc,chc++,nested-grid,eye-siding,eye-siding-single,"
      "eye-siding-planes,query-conditional,query-buffer",
      "the methods on occlusion queries with frustum culling and two-phase culling"},
+    {"faces", "hiz-cells,faces-mask,faces-cluster,faces-tree,faces-cone",
+     "the tests of back faces and the same without, by pixel error"},
     {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-coverage,hiz-lv-error,default,calm,hom+lv,tessellation",
      "one configuration of each kind"},
 };

@@ -183,6 +183,23 @@ std::vector<RenderOption> cullingRows() {
   };
 }
 
+FaceCulling& faceCullingOf(Options& o) {
+  return o.frameOptions.faceCulling;
+}
+
+/// Options of what is culled inside objects.
+std::vector<RenderOption> faceRows() {
+  return {
+      {"--backface", "back faces", "",
+       "Leave out groups of triangles that all face away before they are drawn; the image is the same, but for a "
+       "frozen camera, wireframe, overdraw and density. Files baked with --backface have small groups, others one for "
+       "each cell; modes that ask queries leave all whole. " +
+           policy::helpOf(faceCullingTable()),
+       OptionGroup::kCulling, choice<FaceCulling, faceCullingTable, faceCullingOf>(), "--detail discrete",
+       [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},
+  };
+}
+
 /// Begins the help of an option that belongs to some modes.
 std::string onlyWith(bool CullModeRow::*property) {
   return "With " + modesWith(property) + ": ";
@@ -395,8 +412,8 @@ std::vector<RenderOption> viewRows() {
 
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
-  for (std::vector<RenderOption>& some : std::array{cullingRows(), queryRows(), queryOrderRows(), levelRows(),
-                                                    calmRows(), detailRows(), drawingRows(), viewRows()})
+  for (std::vector<RenderOption>& some : std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(),
+                                                    levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;

@@ -100,6 +100,10 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
                         grouped(s.sliceDraws));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
+  if (s.facesTested + s.facesWhole > 0)
+    text += fmt::format("  back faces{:>13}   {:.1f} % of {} single-sided, {} left whole, commands {}\n",
+                        grouped(s.facesCulled), percent(s.facesCulled, s.facesTested), grouped(s.facesTested),
+                        grouped(s.facesWhole), grouped(s.draws));
   if (report.points + report.segments > 0)
     text += fmt::format("  points    {:>13}   line segments {}\n", grouped(report.points), grouped(report.segments));
   text += tessellates(options) ? "  levels 1.." : "  LOD 0..";

@@ -136,6 +136,7 @@ void hideObjects(RenderOptions& options, const std::vector<std::uint32_t>& hidde
 scene::BuildOptions buildOptionsOf(const asset::SceneFile& file, const RenderOptions& options) {
   return {.patches = rowOf(options.frameOptions.detail).patches,
           .cells = options.cells,
+          .faces = options.frameOptions.faceCulling != FaceCulling::kOff,
           .hidden = hiddenObjects(file, options)};
 }
 

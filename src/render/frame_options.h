@@ -6,6 +6,7 @@
 
 #include "core/memory_limit.h"
 #include "culling/query_options.h"
+#include "policy/face_culling.h"
 #include "policy/frame_policy.h"
 #include "shared/limits.h"
 #include "visibility/submission.h"
@@ -51,6 +52,8 @@ struct FrameOptions : FramePolicy {
   bool cullCells = true;       ///< in scenes with cells: cull them one by one; false: as their objects
   /// Time of the scene's animations (SceneData::motion), seconds.
   float seconds = 0.0F;
+  /// Groups of back faces are left out, in scenes with SceneData::faces and in modes without queries.
+  FaceCulling faceCulling = FaceCulling::kOff;
   culling::QueryOptions queries;  ///< of the modes that ask queries
   bool skipDraw = false;          ///< leave out what only the picture needs: statistics without a picture
 };

@@ -2,6 +2,7 @@
 #include "render/frame_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "policy/traits.h"
 #include "render/memory_needs.h"
@@ -19,7 +20,20 @@ gl::Capabilities capabilitiesFor(const RendererOptions& options) {
 visibility::DrawListOptions listOptions(const scene::SceneData& scene, const RendererOptions& options) {
   const auto objects = static_cast<std::uint32_t>(scene.drawn().objects.size());
   const std::uint32_t most = 2 * objects;  // a cross-faded object is on the list twice
-  return {options.submission, std::min(options.capacity.value_or(most), most), scene.maxPatchTriangles > 0};
+  const std::uint32_t capacity = std::min(options.capacity.value_or(most), most);
+  return {options.submission, capacity, scene.maxPatchTriangles > 0, visibility::faceRanges(scene.faces, capacity)};
+}
+
+std::optional<FaceParts> makeFaces(const scene::SceneData& scene, const visibility::DrawList& early,
+                                   const visibility::DrawList& late, const gl::ShaderLibrary& shaders) {
+  if (scene.faces.empty()) return std::nullopt;
+  return std::optional<FaceParts>(std::in_place, scene.faces, early, late, shaders);
+}
+
+/// The sum of two words: bits 0-9, and the bits above.
+std::uint64_t faceFigure(const visibility::FrameRecord& record, gpu::uint figure, bool drawsEarly) {
+  const auto of = [&](const auto& words) { return words[figure] + (std::uint64_t{words[figure + 1]} << 10U); };
+  return of(record.lateFaces) + (drawsEarly ? of(record.earlyFaces) : 0);
 }
 
 /// What the scene's buffers and the targets need, after it was found to be within the limit. Errors: kLimit.
@@ -51,11 +65,28 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
       lists(scene, shaders),
       early(scene, gpu::kMarkEarly, listOptions(scene, options)),
       late(scene, gpu::kMarkLate, listOptions(scene, options)),
+      faces(makeFaces(scene, early, late, shaders)),
       statistics(shaders),
       draw({capabilities, buffers.textureClasses(), scene.usesFullMaterials, !scene.loose.vertices.empty()}, shaders),
       methods({scene, capabilities, shaders, memory, needs}),
-      context{cullView, drawView, counting, timer,   buffers, visibility, budget,       lists,
-              early,    late,     draw,     targets, map,     pyramid,    queryOptions, queryFigures},
+      context{cullView,
+              drawView,
+              counting,
+              timer,
+              buffers,
+              visibility,
+              budget,
+              lists,
+              early,
+              late,
+              draw,
+              targets,
+              map,
+              pyramid,
+              queryOptions,
+              queryFigures,
+              faces ? &*faces : nullptr,
+              faceCulling},
       drawing(context, scene, shaders) {
   methods.resize(width, height);
   if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);
@@ -71,6 +102,9 @@ void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cull
                             .tessellationLimit = tessellationLimit,
                             .sceneWorld = scene.boundsWorld};
   cullMode = options.cullMode;
+  // What is drawn in slices has one command for each object.
+  requestedFaces = options.faceCulling;
+  faceCulling = rowOf(options.cullMode).asksQueries ? FaceCulling::kOff : options.faceCulling;
   queryOptions = options.queries;
   queryFigures = {};
   cullView = makeCullView(options, cullCamera, setting);
@@ -94,8 +128,12 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   result.frame = record->frame;
   const QueryRecord& queries = queryRecords[record->frame % queryRecords.size()];
   if (queries.frame == record->frame) static_cast<culling::QueryFigures&>(result) = queries.figures;
-  const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   const bool slices = result.sliceDraws > 0;  // of the late list only the blended surfaces are drawn
+  if (slices && requestedFaces != FaceCulling::kOff) result.facesWhole = result.triangles;
+  result.facesTested = faceFigure(*record, gpu::kFaceFigureTested, drawsEarly);
+  result.facesCulled = faceFigure(*record, gpu::kFaceFigureCulled, drawsEarly);
+  result.facesWhole += faceFigure(*record, gpu::kFaceFigureWhole, drawsEarly);
+  const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list) {
     if (slices && list % gpu::kListsPerDetail != gpu::kListBlend) continue;
     result.draws += record->late[list] + (drawsEarly ? record->early[list] : 0);

@@ -26,7 +26,11 @@ struct FrameStatistics : culling::QueryFigures {
   std::uint64_t cellsDrawn = 0;  ///< of cells; an object counts as drawn if one of its cells is
   /// Commands in the lists that were drawn; with occlusion queries the draw calls of the slices instead.
   std::uint64_t draws = 0;
-  std::uint64_t triangles = 0;        ///< of the drawn objects, both levels of those that fade
+  std::uint64_t triangles = 0;  ///< of the drawn objects, both levels of those that fade
+  // With FrameOptions::faceCulling; triangles counts these all.
+  std::uint64_t facesTested = 0;      ///< single-sided opaque triangles in groups
+  std::uint64_t facesCulled = 0;      ///< of these: back faces that were not drawn
+  std::uint64_t facesWhole = 0;       ///< double-sided, masked and bent triangles, which are left whole
   std::uint64_t trianglesFinest = 0;  ///< all objects at their finest
   /// Drawn objects per level: LOD 0, 1, ... of the discrete chains, or tessellation level 1, 2, ... of the patch path.
   std::vector<std::uint64_t> lodHistogram;

@@ -7,7 +7,9 @@
 
 #include "scene/scene_data.h"
 #include "scene/texture_layers.h"
+#include "shared/face_structs.h"
 #include "shared/frame_structs.h"
+#include "visibility/face_pass.h"
 
 namespace jalousie::render {
 namespace {
@@ -30,6 +32,20 @@ std::uint64_t objectBytes(const RendererOptions& options, bool patches) {
          sizeof(gpu::ScreenBox) + 4 * sizeof(gpu::uint) +  // marks, pixel counts, drawn triangles and cells
          kLists * 2 * sizeof(gpu::uint) +                  // slots
          2 * kLists * entry;                               // a cross-faded object is on a list twice
+}
+
+/// Groups of triangles, and for each entry of a list the ranges and commands that FacePass makes.
+void addFaces(MemoryEstimate& needs, const scene::SceneSize& size) {
+  needs.add(size.faceNodes, sizeof(gpu::FaceNode) + sizeof(gpu::FaceLod),
+            counted(size.faceNodes, "groups of triangles"));
+  const std::uint64_t entries = 2 * std::max({size.instances, size.cells, std::uint64_t{1}});
+  const std::uint64_t most = visibility::kMostFaceCommands / entries;
+  const std::uint64_t ranges = std::clamp<std::uint64_t>(
+      most, visibility::kLeastFaceRanges, std::max<std::uint64_t>(size.faceNodes, visibility::kLeastFaceRanges));
+  needs.add(kLists * entries,
+            gpu::kListsPerDetail * (ranges + 1) * sizeof(gpu::DrawCommand) +
+                (2 + gpu::kFaceHead + 2 * ranges) * sizeof(gpu::uint),
+            "commands without back faces");
 }
 
 }  // namespace
@@ -57,6 +73,7 @@ MemoryEstimate bufferNeeds(const scene::SceneSize& size, bool patches, const Ren
             sizeof(gpu::Lod) + sizeof(gpu::CellBounds) +
                 2 * (sizeof(gpu::Bin) + commands * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)),
             counted(size.cellLevels, "levels of cells"));
+  if (size.faceNodes > 0) addFaces(needs, size);
   needs.add(size.motionBytes, 1, "animations");
   std::uint64_t texels = 0;
   for (const scene::TextureClass& size_ : scene::layoutTextures(size.images).classes)

@@ -7,11 +7,14 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/check.h"
 #include "core/error.h"
+#include "scene/face_tables.h"
 #include "scene/material_table.h"
 #include "scene/mesh_cells.h"
+#include "scene/motion_data.h"
 #include "scene/motion_state.h"
 #include "scene/patch_base.h"
 
@@ -51,6 +54,7 @@ class SceneBuilder {
     hasSecondUvs_ = std::any_of(file_.materials.begin(), file_.materials.end(), asset::usesSecondUvs);
     cells_ = divideMeshes(file_, options_.patches ? CellOptions{} : options_.cells);
     reserve();
+    bent_ = bentMeshes(file_);
     meshLods_.resize(file_.meshes.size());
     meshBounds_.resize(file_.meshes.size());
     meshCells_.resize(file_.meshes.size());
@@ -69,6 +73,7 @@ class SceneBuilder {
     scene_.binLayout = layoutBins(scene_.chains, scene_.objects, scene_.lods, options_.patches);
     const auto divided = [](const MeshCells& cells) { return cells.count > 1; };
     if (std::any_of(cells_.begin(), cells_.end(), divided)) addCells();
+    if (makesFaces()) addFaces();
     addMotion();
     scene_.cameras = file_.cameras;
     scene_.originWorld = file_.originWorld;
@@ -167,6 +172,27 @@ class SceneBuilder {
     return lod;
   }
 
+  bool makesFaces() const { return options_.faces && !options_.patches; }
+
+  /// Groups of the solid triangles of each cell. None where animations bend the mesh: its normals change.
+  std::vector<asset::FaceTree> facesOf(std::size_t m) const {
+    const Mesh& mesh = file_.meshes[m];
+    const MeshCells& cells = cells_[m];
+    std::vector<asset::FaceTree> faces(cells.count);
+    if (!makesFaces() || bent_[m]) return faces;
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+      const Primitive& primitive = mesh.primitives[p];
+      if (listOfPrimitive(primitive) != gpu::kListSolid) continue;
+      const std::vector<std::uint32_t> whole{static_cast<std::uint32_t>(primitive.indices.size())};
+      const bool fileOrder = cells.count == 1 || cells.indices[p].empty();
+      const std::vector<asset::FaceTree> own =
+          faceTreesOf(primitive, cells.count == 1 ? whole : cells.ends[p], fileOrder);
+      for (std::uint32_t c = 0; c < cells.count; ++c)
+        faces[c].insert(faces[c].end(), own[c].begin(), own[c].end());
+    }
+    return faces;
+  }
+
   /// Appends a mesh cell after cell. The level of the whole mesh spans the ranges of all cells.
   void addMesh(std::size_t m) {
     const Mesh& mesh = file_.meshes[m];
@@ -177,6 +203,7 @@ class SceneBuilder {
     gpu::Lod& whole = meshLods_[m];
     whole.baseVertex = baseVertex;
     whole.firstIndex = static_cast<std::uint32_t>(scene_.indices.size());
+    std::vector<asset::FaceTree> faces = facesOf(m);
     for (std::uint32_t c = 0; c < cells.count; ++c) {
       Aabb bounds;
       const gpu::Lod lod = appendTriangles(mesh, offsets, baseVertex, [&](std::size_t p) {
@@ -185,7 +212,7 @@ class SceneBuilder {
           bounds.add(mesh.primitives[p].positions[index]);
         return indices;
       });
-      meshCells_[m].push_back({lod, bounds});
+      meshCells_[m].push_back({lod, bounds, std::move(faces[c])});
       meshBounds_[m].add(bounds);
       whole.solidCount += lod.solidCount;
       whole.sheetCount += lod.sheetCount;
@@ -346,6 +373,23 @@ class SceneBuilder {
     tables.binLayout = layoutBins(tables.chains, tables.objects, tables.lods, /*patches=*/false);
   }
 
+  /// Groups of everything that is drawn: the levels of the chains, or those of the chains of cells.
+  void addFaces() {
+    const bool divided = !scene_.cells.objects.empty();
+    const DrawTables& drawn = scene_.drawn();
+    std::size_t lod = 0;
+    for (const asset::Chain& chain : file_.chains) {
+      const std::size_t parts = divided ? meshCells_[chain.levels.front().mesh].size() : 1;
+      for (std::size_t cell = 0; cell < parts; ++cell)
+        for (const asset::LodLevel& level : chain.levels)
+          addFaceLod(scene_.faces, {scene_.vertices, scene_.indices}, drawn.lods[lod++],
+                     meshCells_[level.mesh][cell].faces);
+    }
+    JAL_CHECK(lod == drawn.lods.size());
+    for (const gpu::Object& unit : drawn.objects)
+      scene_.faces.units.push_back({drawn.chains[unit.chain].firstLod, unit.transform});
+  }
+
   /// @param firstLod  of the chain that the cell belongs to: errors are those of its levels
   void addCellChain(const std::vector<asset::LodLevel>& levels, gpu::uint firstLod, std::uint32_t cell) {
     CellTables& tables = scene_.cells;
@@ -377,8 +421,10 @@ class SceneBuilder {
   struct Cell {
     gpu::Lod lod;
     Aabb bounds;
+    asset::FaceTree faces;  ///< of its solid triangles
   };
 
+  std::vector<bool> bent_;        ///< per mesh: whether animations bend it
   std::vector<MeshCells> cells_;  ///< per mesh of the file
   std::vector<std::vector<Cell>> meshCells_;
   std::vector<gpu::Lod> meshLods_;

@@ -9,6 +9,7 @@
 #include "core/aabb.h"
 #include "scene/bin_layout.h"
 #include "scene/cell_options.h"
+#include "scene/face_tables.h"
 #include "scene/loose_table.h"
 #include "scene/motion_data.h"
 #include "scene/scene_names.h"
@@ -48,6 +49,7 @@ struct SceneData : DrawTables {
   SceneNames names;
   asset::ContentCounts ignored;  ///< what the file holds that is not drawn
   CellTables cells;  ///< if not empty, the index ranges of SceneData::lods are mixed: only cells can be drawn
+  FaceTables faces;  ///< of what is drawn; empty unless BuildOptions::faces
   Aabb boundsWorld;  ///< of all objects, points and lines, also where animations take them
   bool usesFullMaterials = false;       ///< a material has more than a base colour with a texture that isPlain()
   bool usesBlending = false;            ///< whether any level has blended triangles
@@ -66,6 +68,8 @@ struct BuildOptions {
   bool patches = false;
   /// Divides chains into cells that are culled one by one. Ignored with patches.
   CellOptions cells = {};
+  /// Makes SceneData::faces. Ignored with patches.
+  bool faces = false;
   /// Instances that the scene does not get, ascending. The others keep their gpu::Object::owner, and the bounds of the
   /// scene hold all, so that the cameras stay where they are.
   std::vector<std::uint32_t> hidden = {};

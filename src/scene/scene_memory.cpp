@@ -38,6 +38,7 @@ SceneSize sizeOf(const SceneData& scene) {
   size.levels = scene.lods.size();
   size.cells = scene.cells.objects.size();
   size.cellLevels = scene.cells.lods.size();
+  size.faceNodes = scene.faces.nodes.size();
   size.motionBytes = scene.motion.bytes();
   size.cameras = scene.cameras.size();
   for (const ImageRgba8& image : scene.textures.images)
@@ -56,6 +57,11 @@ SceneSize withCells(SceneSize size, const CellOptions& options) {
   return size;
 }
 
+SceneSize withFaces(SceneSize size, bool faces) {
+  if (faces) size.faceNodes = size.faceNumbers + size.levels + size.cellLevels;
+  return size;
+}
+
 MemoryEstimate fileNeeds(const SceneSize& size) {
   MemoryEstimate needs;
   needs.add(size.documentBytes, 1, "the document");
@@ -67,6 +73,7 @@ MemoryEstimate fileNeeds(const SceneSize& size) {
   needs.add(size.looseInstances, sizeof(asset::LooseInstance) + sizeof(glm::dvec3),
             counted(size.looseInstances, "instances of points and lines"));
   needs.add(size.chains, kFileChainBytes, counted(size.chains, "LOD chains"));
+  needs.add(size.faceNumbers, sizeof(std::uint32_t), counted(size.faceNumbers, "numbers of groups"));
   needs.add(size.cellEnds, sizeof(std::uint32_t), counted(size.cellEnds, "ends of cells"));
   needs.add(size.motionBytes, 1, "animations");
   needs.add(size.cameras, sizeof(asset::Camera), counted(size.cameras, "cameras"));
@@ -100,6 +107,8 @@ MemoryEstimate sceneNeeds(const SceneSize& size, bool patches) {
   needs.add(size.chains, sizeof(gpu::Chain), counted(size.chains, "LOD chains"));
   needs.add(size.levels, sizeof(gpu::Lod) + 2 * sizeof(gpu::Bin), counted(size.levels, "levels"));
   needs.add(size.motionBytes, 1, "animations");
+  needs.add(size.faceNodes, sizeof(gpu::FaceNode) + sizeof(gpu::FaceLod),
+            counted(size.faceNodes, "groups of triangles"));
   if (size.cells > 0) needs.add(indices, sizeof(std::uint32_t), counted(indices, "indices in the order of cells"));
   needs.add(size.cells, sizeof(gpu::Object) + sizeof(gpu::Tile) + sizeof(gpu::Chain), counted(size.cells, "cells"));
   needs.add(size.cellLevels, 2 * (sizeof(gpu::Lod) + sizeof(gpu::CellBounds)) + 2 * sizeof(gpu::Bin),

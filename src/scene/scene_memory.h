@@ -18,6 +18,9 @@ SceneSize sizeOf(const SceneData& scene);
 
 /// The size with an upper bound of the cells that buildScene may divide such a scene into.
 SceneSize withCells(SceneSize size, const CellOptions& options);
+/// Adds the groups of back faces that a scene is built with: those of the file, and one for each level of a cell or
+/// chain that has none. @param size  withCells()
+SceneSize withFaces(SceneSize size, bool faces);
 
 /// A document and the asset::SceneFile that is read from it, but for its images.
 MemoryEstimate fileNeeds(const SceneSize& size);

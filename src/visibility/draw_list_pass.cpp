@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/scene_data.h"
+#include "shared/face_structs.h"
 #include "visibility/dispatch.h"
 #include "visibility/program_table.h"
 #include "visibility/storage.h"
@@ -34,6 +35,9 @@ gpu::ListView makeView(const scene::SceneData& scene, gpu::uint phase, const Dra
   view.entryCount = layout.entryCount;
   view.capacity = options.capacity;
   view.commandCapacity = options.submission == Submission::kInstanced ? view.binCount : options.capacity;
+  // A range each, and the double-sided triangles.
+  if (options.faceRanges > 0)
+    view.commandCapacity = std::max(view.commandCapacity, options.capacity * (options.faceRanges + 1));
   view.patches = options.patches ? 1 : 0;
   return view;
 }
@@ -51,7 +55,8 @@ DrawList::DrawList(const scene::SceneData& scene, gpu::uint phase, const DrawLis
       instances_(makeStorage(sizeof(gpu::uint) * options.capacity, 0, "instance list")),
       commands_(makeStorage(commandBytes(view_), 0, "draw commands")),
       drawCounts_(makeStorage(sizeof(gpu::uint) * gpu::kDrawCounts, 0, "draw counts")),
-      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.drawn().objects.size(), 0, "slots")) {}
+      slots_(makeStorage(2 * sizeof(gpu::uint) * scene.drawn().objects.size(), 0, "slots")),
+      faceFigures_(makeStorage(gpu::kFaceFigures * sizeof(gpu::uint), 0, "figures of back faces")) {}
 
 DrawListPass::DrawListPass(const scene::SceneData& scene, const gl::ShaderLibrary& shaders)
     : tileCount_(static_cast<std::uint32_t>(scene.drawn().binLayout.tiles.size())),
@@ -88,6 +93,7 @@ void DrawListPass::bind(const DrawList& list, const SceneBindings& tables, const
 void DrawListPass::build(DrawList& list, const SceneBindings& scene, const ObjectBuffers& decided) {
   if (tileCount_ == 0) return;
   const bool perObject = list.options_.submission == Submission::kPerObject;
+  list.faceFigures_.clear();
   bind(list, scene, decided);
   const auto run = [](const gl::Program& program, std::uint32_t groups) {
     program.use();

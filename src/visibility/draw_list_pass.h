@@ -30,6 +30,8 @@ class DrawList {
   /// gpu::uint [2 * objects, or cells]: the slot of each one's instance and of its level that fades out, kNoBin for
   /// none or one that found no room.
   const gl::Buffer& slots() const { return slots_; }
+  /// gpu::uint [kFaceFigures]: zeros, unless FacePass has changed the list.
+  const gl::Buffer& faceFigures() const { return faceFigures_; }
   std::uint32_t commandCapacity() const { return view_.commandCapacity; }
   const gpu::ListView& view() const { return view_; }
   void bindView(gpu::uint binding) const { viewBuffer_.bindUniform(binding); }
@@ -43,6 +45,7 @@ class DrawList {
   gl::Buffer commands_;
   gl::Buffer drawCounts_;
   gl::Buffer slots_;
+  gl::Buffer faceFigures_;
 };
 
 /// The kernels that fill lists, and their scratch memory. CPU twin: buildDrawLists.

@@ -21,8 +21,9 @@ namespace jalousie::visibility {
 /// What a list may hold and how it is drawn.
 struct DrawListOptions {
   Submission submission = Submission::kInstanced;
-  std::uint32_t capacity = 0;  ///< most instances; the first ones stay
-  bool patches = false;        ///< the scene has patch bases: twice as many lists
+  std::uint32_t capacity = 0;    ///< most instances; the first ones stay
+  bool patches = false;          ///< the scene has patch bases: twice as many lists
+  std::uint32_t faceRanges = 0;  ///< ranges that FacePass may make of an instance; 0: it does not change the list
 };
 
 /// Which of an object's instances are on a list.

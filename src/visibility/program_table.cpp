@@ -44,6 +44,8 @@ std::span<const gl::ProgramSource> programTable() {
       {"drop hidden", {"visibility/drop_hidden.comp"}, {}},
       {"hide objects", {"visibility/hide_objects.comp"}, {}},
       {"hide cells", {"visibility/hide_cells.comp"}, {}},
+      {"face ranges", {"visibility/face_ranges.comp"}, {}},
+      {"face commands", {"visibility/face_commands.comp"}, {}},
   };
   return kPrograms;
 }

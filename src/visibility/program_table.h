@@ -47,6 +47,8 @@ enum class ProgramId : unsigned {
   kDropHidden,
   kHideObjects,
   kHideCells,
+  kFaceRanges,
+  kFaceCommands,
 };
 
 /// All programs, in the order of ProgramId.

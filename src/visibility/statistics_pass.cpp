@@ -11,7 +11,7 @@
 namespace jalousie::visibility {
 namespace {
 
-constexpr std::size_t kWords = gpu::kCounterCount + 2 * gpu::kDrawCounts;
+constexpr std::size_t kWords = gpu::kCounterCount + 2 * gpu::kDrawCounts + 2 * gpu::kFaceFigures;
 constexpr std::size_t kSlotBytes = 512;
 static_assert(kWords * sizeof(gpu::uint) <= kSlotBytes);
 static_assert(gpu::kCounterCount <= gpu::kObjectGroupSize, "one thread of the kernel adds up each counter");
@@ -43,13 +43,18 @@ void StatisticsPass::endFrame(const SceneBindings& scene, const ObjectBuffers& d
   const bool hasRoom = slot.fence == nullptr || collect(slot, index, 0);
   if (!hasRoom) return;
   count(scene, decided, view, early, late);
-  const auto offset = static_cast<GLintptr>(index * kSlotBytes);
-  constexpr GLintptr kCountBytes = gpu::kDrawCounts * sizeof(gpu::uint);
-  constexpr auto kCounterBytes = static_cast<GLintptr>(sizeof(FrameCounters));
-  glCopyNamedBufferSubData(counters_.id(), mapped_.id(), 0, offset, kCounterBytes);
-  glCopyNamedBufferSubData((early != nullptr ? *early : late).drawCounts().id(), mapped_.id(), 0,
-                           offset + kCounterBytes, kCountBytes);
-  glCopyNamedBufferSubData(late.drawCounts().id(), mapped_.id(), 0, offset + kCounterBytes + kCountBytes, kCountBytes);
+  auto offset = static_cast<GLintptr>(index * kSlotBytes);
+  const auto copy = [&](const gl::Buffer& buffer, std::size_t words) {
+    const auto bytes = static_cast<GLsizeiptr>(words * sizeof(gpu::uint));
+    glCopyNamedBufferSubData(buffer.id(), mapped_.id(), 0, offset, bytes);
+    offset += bytes;
+  };
+  const DrawList& first = early != nullptr ? *early : late;
+  copy(counters_, gpu::kCounterCount);
+  copy(first.drawCounts(), gpu::kDrawCounts);
+  copy(late.drawCounts(), gpu::kDrawCounts);
+  copy(first.faceFigures(), gpu::kFaceFigures);
+  copy(late.faceFigures(), gpu::kFaceFigures);
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
   slot.frame = frame_;
   slot.view = view;
@@ -103,9 +108,15 @@ bool StatisticsPass::collect(Slot& slot, std::size_t index, std::uint64_t timeou
   record.frame = slot.frame;
   record.view = slot.view;
   const gpu::uint* words = memory_ + index * kSlotBytes / sizeof(gpu::uint);
-  std::copy_n(words, gpu::kCounterCount, record.counters.begin());
-  std::copy_n(words + gpu::kCounterCount, gpu::kDrawCounts, record.early.begin());
-  std::copy_n(words + gpu::kCounterCount + gpu::kDrawCounts, gpu::kDrawCounts, record.late.begin());
+  const auto read = [&](auto& values) {
+    std::copy_n(words, values.size(), values.begin());
+    words += values.size();
+  };
+  read(record.counters);
+  read(record.early);
+  read(record.late);
+  read(record.earlyFaces);
+  read(record.lateFaces);
   latest_ = record;
   return true;
 }

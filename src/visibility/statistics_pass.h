@@ -8,6 +8,7 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "shared/face_structs.h"
 #include "visibility/draw_list_pass.h"
 #include "visibility/frame_counters.h"
 
@@ -18,8 +19,10 @@ struct FrameRecord {
   std::uint64_t frame = 0;  ///< counted from 1
   gpu::CullView view{};
   FrameCounters counters{};
-  std::array<gpu::uint, gpu::kDrawCounts> early{};  ///< draw counts of the first list
-  std::array<gpu::uint, gpu::kDrawCounts> late{};   ///< and of the second
+  std::array<gpu::uint, gpu::kDrawCounts> early{};        ///< draw counts of the first list
+  std::array<gpu::uint, gpu::kDrawCounts> late{};         ///< and of the second
+  std::array<gpu::uint, gpu::kFaceFigures> earlyFaces{};  ///< figures of back faces of the first list
+  std::array<gpu::uint, gpu::kFaceFigures> lateFaces{};   ///< and of the second
 };
 
 /// Has three slots: the statistics of a frame arrive at most two frames later unless the GPU is further behind. A frame

@@ -29,13 +29,13 @@ TEST(Repository, HoldsNoFileOverOneMebibyte) {
 TEST(Repository, ScriptsAreExecutable) {
   for (const char* script :
        {"scripts/setup", "scripts/demo", "scripts/test", "assets/fetch", "assets/make_mesh", "bench/bake_bench",
-        "bench/bake_scene", "bench/place_models.mjs", "bench/prove", ".ci/run"})
+        "bench/bake_scene", "bench/back_faces", "bench/place_models.mjs", "bench/prove", ".ci/run"})
     EXPECT_NE(fs::status(test::kSourceRoot / script).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
 }
 
 TEST(Repository, ScriptsExplainThemselvesAndRefuseUnknownOptions) {
-  for (const char* script :
-       {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/bake_scene", "bench/prove"}) {
+  for (const char* script : {"scripts/setup", "scripts/demo", "assets/fetch", "bench/bake_bench", "bench/bake_scene",
+                             "bench/back_faces", "bench/prove"}) {
     EXPECT_EQ(test::runProgram(test::kSourceRoot / script, {"--help"}).exitCode, 0) << script;
     EXPECT_EQ(test::runProgram(test::kSourceRoot / script, {"--no-such-option"}).exitCode, 2) << script;
   }

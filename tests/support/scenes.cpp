@@ -93,6 +93,31 @@ asset::Primitive perforatedWall(std::uint32_t cells, float openShare, Random& ra
   return finish(std::move(positions), std::move(normals), std::move(indices), material);
 }
 
+void groupFaces(asset::Primitive& primitive, asset::FaceGrouping grouping) {
+  std::vector<asset::Triangle> triangles;
+  Aabb bounds;
+  for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return primitive.positions[primitive.indices[i + k]]; };
+    triangles.push_back({corner(0), corner(1), corner(2)});
+    for (const glm::vec3& point : triangles.back())
+      bounds.add(point);
+  }
+  const asset::FaceOrder order = asset::groupFaces(triangles, bounds, grouping);
+  std::vector<std::uint32_t> indices;
+  for (const std::uint32_t t : order.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      indices.push_back(primitive.indices[3 * std::size_t{t} + k]);
+  primitive.indices = std::move(indices);
+  primitive.faceTree = order.tree;
+  primitive.cellEnds.clear();
+}
+
+void groupFaces(asset::SceneFile& file, asset::FaceGrouping grouping) {
+  for (asset::Mesh& mesh : file.meshes)
+    for (asset::Primitive& primitive : mesh.primitives)
+      groupFaces(primitive, grouping);
+}
+
 asset::SceneFile sphereChain(std::uint32_t levels) {
   asset::SceneFile file;
   file.materials.emplace_back();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/face_groups.h"
 #include "asset/scene_file.h"
 #include "core/random.h"
 
@@ -20,6 +21,12 @@ asset::Primitive box(const glm::vec3& halfExtent, std::uint32_t material = 0);
 
 /// Wall in the plane z = 0, [-1, 1]^2, facing +z, whose cells (cells x cells) are open with the given share (seeded).
 asset::Primitive perforatedWall(std::uint32_t cells, float openShare, Random& random, std::uint32_t material = 0);
+
+/// Puts the triangles of a primitive in the order of groups of back faces, as the baker does without cells.
+void groupFaces(asset::Primitive& primitive, asset::FaceGrouping grouping);
+
+/// The same for all meshes of a file.
+void groupFaces(asset::SceneFile& file, asset::FaceGrouping grouping);
 
 /// File with one default material and one chain of spheres, `levels` of them, each with a quarter of the triangles, its
 /// error, and its least share of the screen.

@@ -11,6 +11,7 @@
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "render/program_table.h"
+#include "shared/face_structs.h"
 #include "shared/frame_structs.h"
 #include "shared/motion_structs.h"
 #include "shared/query_structs.h"
@@ -125,6 +126,31 @@ const std::map<std::string, Layout>& expectedLayouts() {
        {sizeof(gpu::SliceRange),
         {JAL_FIELD("ranges[0].", SliceRange, firstUnit), JAL_FIELD("ranges[0].", SliceRange, unitCount),
          JAL_FIELD("ranges[0].", SliceRange, node), JAL_FIELD("ranges[0].", SliceRange, reserved0)}}},
+      {"NodeBlock",
+       {sizeof(gpu::FaceNode),
+        {JAL_FIELD("nodes[0].", FaceNode, lowest), JAL_FIELD("nodes[0].", FaceNode, highest),
+         JAL_FIELD("nodes[0].", FaceNode, origin), JAL_FIELD("nodes[0].", FaceNode, sphere),
+         JAL_FIELD("nodes[0].", FaceNode, apex), JAL_FIELD("nodes[0].", FaceNode, axis),
+         JAL_FIELD("nodes[0].", FaceNode, firstIndex), JAL_FIELD("nodes[0].", FaceNode, indexCount),
+         JAL_FIELD("nodes[0].", FaceNode, next), JAL_FIELD("nodes[0].", FaceNode, normals),
+         JAL_FIELD("nodes[0].", FaceNode, inradius), JAL_FIELD("nodes[0].", FaceNode, reserved0),
+         JAL_FIELD("nodes[0].", FaceNode, reserved1), JAL_FIELD("nodes[0].", FaceNode, reserved2)}}},
+      {"FaceLodBlock",
+       {sizeof(gpu::FaceLod),
+        {JAL_FIELD("faceLods[0].", FaceLod, boundsMinObject), JAL_FIELD("faceLods[0].", FaceLod, boundsMaxObject),
+         JAL_FIELD("faceLods[0].", FaceLod, firstNode), JAL_FIELD("faceLods[0].", FaceLod, nodeCount),
+         JAL_FIELD("faceLods[0].", FaceLod, firstIndex), JAL_FIELD("faceLods[0].", FaceLod, solidCount),
+         JAL_FIELD("faceLods[0].", FaceLod, sheetCount), JAL_FIELD("faceLods[0].", FaceLod, baseVertex),
+         JAL_FIELD("faceLods[0].", FaceLod, reserved0), JAL_FIELD("faceLods[0].", FaceLod, reserved1)}}},
+      {"UnitBlock",
+       {sizeof(gpu::FaceUnit),
+        {JAL_FIELD("units[0].", FaceUnit, firstLod), JAL_FIELD("units[0].", FaceUnit, transform)}}},
+      {"FaceViewBlock",
+       {0,
+        {JAL_FIELD("FaceViewBlock.", FaceView, test), JAL_FIELD("FaceViewBlock.", FaceView, mostRanges),
+         JAL_FIELD("FaceViewBlock.", FaceView, reserved0), JAL_FIELD("FaceViewBlock.", FaceView, reserved1)}}},
+      {"WorkBlock", {sizeof(gpu::uint), {{"work[0]", 0}}}},
+      {"FigureBlock", {sizeof(gpu::uint), {{"figures[0]", 0}}}},
       {"SliceViewBlock",
        {sizeof(gpu::SliceView),
         {JAL_FIELD("SliceViewBlock.", SliceView, objectCount), JAL_FIELD("SliceViewBlock.", SliceView, unitCount),

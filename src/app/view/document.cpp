@@ -24,8 +24,8 @@ namespace {
 
 /// The options that a renderer is made for, apart from its size. Renderers with equal texts are interchangeable.
 std::string keyOf(const RenderOptions& options) {
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", valueText(renderOption("--cells"), options),
-                     rowOf(options.frameOptions.detail).patches,
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}", valueText(renderOption("--cells"), options),
+                     rowOf(options.frameOptions.detail).patches, options.frameOptions.faceCulling != FaceCulling::kOff,
                      static_cast<unsigned>(options.rendererOptions.submission), options.coreOnly,
                      options.rendererOptions.capacity.value_or(0), options.importance.string(), options.hide,
                      options.only);

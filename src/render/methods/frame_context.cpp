@@ -1,11 +1,24 @@
 // Steps that several culling methods share.
 #include "render/methods/frame_context.h"
 
+#include "policy/traits.h"
+
 namespace jalousie::render {
 
+bool FrameContext::cullsFaces(const visibility::DrawList& list) const {
+  if (faces == nullptr || faceCulling == FaceCulling::kOff || has(cullView.traits, gpu::kTraitPatches)) return false;
+  return list.view().phase == gpu::kMarkLate || has(cullView.traits, gpu::kTraitTwoPhases);
+}
+
 void FrameContext::buildList(visibility::DrawList& list, const char* name) const {
-  const gl::PassTimer::Scope pass(timer, name);
-  lists.build(list, scene.bindings(), visibility.decided());
+  {
+    const gl::PassTimer::Scope pass(timer, name);
+    lists.build(list, scene.bindings(), visibility.decided());
+  }
+  if (!cullsFaces(list)) return;
+  const gl::PassTimer::Scope pass(timer, "back faces");
+  faces->pass.cull(list, list.view().phase == gpu::kMarkLate ? faces->late : faces->early,
+                   static_cast<gpu::uint>(faceCulling), scene.transforms(), *visibility.decided().view);
 }
 
 void FrameContext::limitTriangles(const visibility::DrawList& list) const {

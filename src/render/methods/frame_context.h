@@ -4,16 +4,29 @@
 #include "culling/query_figures.h"
 #include "culling/query_options.h"
 #include "gl/pass_timer.h"
+#include "policy/face_culling.h"
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
 #include "render/targets.h"
 #include "visibility/budget_pass.h"
 #include "visibility/depth_pyramid_pass.h"
 #include "visibility/draw_list_pass.h"
+#include "visibility/face_pass.h"
 #include "visibility/occlusion_map_pass.h"
 #include "visibility/visibility_pass.h"
 
 namespace jalousie::render {
+
+/// What culls groups of back faces.
+struct FaceParts {
+  FaceParts(const scene::FaceTables& tables, const visibility::DrawList& earlyList,
+            const visibility::DrawList& lateList, const gl::ShaderLibrary& shaders)
+      : pass(tables, shaders), early(earlyList), late(lateList) {}
+
+  visibility::FacePass pass;
+  visibility::FaceWork early;
+  visibility::FaceWork late;
+};
 
 /// Borrows everything from the renderer, for as long as the renderer lives. Nothing here allocates.
 /// A method reads the views, fills lists and draws; what it decides ends in the objects' flags (kMark...).
@@ -34,8 +47,10 @@ struct FrameContext {
   visibility::DepthPyramidPass& pyramid;      ///< shared by the methods that use depth
   const culling::QueryOptions& queryOptions;  ///< of the present frame
   culling::QueryFigures& queryFigures;        ///< the method of the present frame writes them
+  FaceParts* faces;                           ///< null if the scene has no groups of triangles
+  const FaceCulling& faceCulling;             ///< of the present frame
 
-  /// Fills a list with the objects that the flags put on it.
+  /// Fills a list with the objects that the flags put on it, without their back faces where groups of them are culled.
   void buildList(visibility::DrawList& list, const char* pass) const;
   /// Where the frame has a budget of triangles: makes levels coarser if the next phase would exceed it.
   /// @param list  of the next phase, not built yet
@@ -48,6 +63,10 @@ struct FrameContext {
   void buildPyramid(visibility::DepthSource source) const;
   /// Runs the occlusion test and LV of the pending objects against what the mode's traits name.
   void analyse() const;
+
+ private:
+  /// The occlusion map has other pixels than the frame, and patches have no groups: their lists stay whole.
+  bool cullsFaces(const visibility::DrawList& list) const;
 };
 
 }  // namespace jalousie::render

@@ -1,0 +1,66 @@
+// Culls groups of back faces of the instances of a draw list (docs/back_faces.md).
+#pragma once
+
+#include <cstdint>
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "shared/face_structs.h"
+#include "visibility/draw_list_pass.h"
+#include "visibility/pass_bindings.h"
+
+namespace jalousie::scene {
+struct FaceTables;
+}
+
+namespace jalousie::visibility {
+
+/// Ranges that an instance may have, so that the commands of a list stay within kMostFaceCommands where they can.
+/// @param capacity  of the list   @return  0 if the scene has no groups
+std::uint32_t faceRanges(const scene::FaceTables& faces, std::uint32_t capacity);
+
+inline constexpr std::uint32_t kMostFaceCommands = 1U << 19U;
+/// However many instances a list has, each may have so many ranges.
+inline constexpr std::uint32_t kLeastFaceRanges = 4;
+
+/// What the kernels need for one list. Everything is allocated once.
+class FaceWork {
+ public:
+  /// @param list  with DrawListOptions::faceRanges   Errors: kLimit
+  explicit FaceWork(const DrawList& list);
+
+ private:
+  friend class FacePass;
+  gpu::ListView view_;
+  std::uint32_t ranges_;
+  gl::Buffer viewBuffer_;
+  gl::Buffer words_;
+  gl::Buffer blockSums_;
+};
+
+/// The kernels, and the groups of a scene. CPU twin: cullFaces.
+class FacePass {
+ public:
+  /// Errors: kLimit, kShader.
+  explicit FacePass(const scene::FaceTables& faces, const gl::ShaderLibrary& shaders = {});
+
+  /// Bytes of the tables of groups.
+  std::uint64_t bytes() const { return bytes_; }
+  /// Replaces the commands of the solid and sheet lists. Leaves COMMAND and BUFFER_UPDATE barriers.
+  /// @param list  built for the present view   @param test  kFaces..., not kFacesOff   @param view  gpu::CullView
+  void cull(const DrawList& list, const FaceWork& work, gpu::uint test, const gl::Buffer& transforms,
+            const gl::Buffer& view);
+
+ private:
+  gl::Program rangesProgram_;
+  gl::Program scanEntriesProgram_;
+  gl::Program scanSumsProgram_;
+  gl::Program commandsProgram_;
+  std::uint64_t bytes_;
+  gl::Buffer view_;
+  gl::Buffer nodes_;
+  gl::Buffer lods_;
+  gl::Buffer units_;
+};
+
+}  // namespace jalousie::visibility
