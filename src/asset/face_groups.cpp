@@ -1,4 +1,4 @@
-// Groups by halving triangles in space and direction, then joining parts where one test costs less than two.
+// Groups by dividing triangles in space and direction, then joining parts where one test costs less than two.
 #include "asset/face_groups.h"
 
 #include <algorithm>
@@ -16,6 +16,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kThinFacet = 1.0 / 8.0;
 /// Triangles from which on parts are not halved further.
 constexpr std::size_t kLeastPart = 4;
+/// A part has at least this share of the triangles that are divided, so that trees are not deep.
+constexpr std::size_t kMostUneven = 16;
 /// Size of the space that the eye is expected in, in sizes of the object.
 constexpr double kEyeSpace = 3.0;
 constexpr std::uint32_t kEyes = 128;
@@ -50,7 +52,7 @@ std::vector<Eye> expectedEyes(const Aabb& bounds) {
   return eyes;
 }
 
-/// Makes clusters: halves in six dimensions, then joins from the leaves up.
+/// Makes clusters: divides in six dimensions, then joins from the leaves up.
 class Clusters {
  public:
   Clusters(std::span<const Triangle> triangles, std::span<const Facet> facets, const Aabb& bounds)
@@ -72,20 +74,13 @@ class Clusters {
     double cost = 0.0;  ///< expected, of the groups below, in triangles
   };
 
-  /// Recursion ends after log2(triangles) halvings.
+  /// Recursion ends: a part has at most 15/16 of the triangles.
   Node build(std::span<std::uint32_t> part) const {
     Node node;
     node.triangles = part;
     node.cost = costOf(part);
     if (part.size() <= kLeastPart) return asGroup(std::move(node));
-    const std::size_t half = part.size() / 2;
-    const int dimension = widest(part);
-    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = coordinate(a, dimension);
-                       const double y = coordinate(b, dimension);
-                       return x < y || (x == y && a < b);
-                     });
+    const std::size_t half = split(part);
     Node first = build(part.first(half));
     Node second = build(part.subspan(half));
     // T(X) < T(A) + T(B): the condition of the lecture with -t/r.
@@ -135,23 +130,43 @@ class Clusters {
     return scale_ * (double{triangle[0][axis]} + double{triangle[1][axis]} + double{triangle[2][axis]}) / 3.0;
   }
 
-  int widest(std::span<const std::uint32_t> part) const {
-    int best = 0;
-    double width = -1.0;
+  struct Range {
+    int dimension = 0;
+    double low = 0.0;
+    double high = -1.0;
+  };
+
+  Range widest(std::span<const std::uint32_t> part) const {
+    Range best;
     for (int k = 0; k < 6; ++k) {
-      double low = kInfinity;
-      double high = -kInfinity;
+      Range own{k, kInfinity, -kInfinity};
       for (const std::uint32_t t : part) {
         const double x = coordinate(t, k);
-        low = std::min(low, x);
-        high = std::max(high, x);
+        own.low = std::min(own.low, x);
+        own.high = std::max(own.high, x);
       }
-      if (high - low > width) {
-        width = high - low;
-        best = k;
-      }
+      if (own.high - own.low > best.high - best.low) best = own;
     }
     return best;
+  }
+
+  /// Parts at the middle of the widest range, so that equal normals stay together; where a part would be too small, at
+  /// the median. @return  triangles of the first part
+  std::size_t split(std::span<std::uint32_t> part) const {
+    const Range range = widest(part);
+    const double middle = 0.5 * (range.low + range.high);
+    const auto at = std::partition(part.begin(), part.end(),
+                                   [&](std::uint32_t t) { return coordinate(t, range.dimension) < middle; });
+    const auto first = static_cast<std::size_t>(at - part.begin());
+    if (std::min(first, part.size() - first) >= part.size() / kMostUneven + 1) return first;
+    const std::size_t half = part.size() / 2;
+    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double x = coordinate(a, range.dimension);
+                       const double y = coordinate(b, range.dimension);
+                       return x < y || (x == y && a < b);
+                     });
+    return half;
   }
 
   std::span<const Triangle> triangles_;
