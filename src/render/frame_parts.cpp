@@ -26,7 +26,7 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
 
 std::optional<FaceParts> makeFaces(const scene::SceneData& scene, const visibility::DrawList& early,
                                    const visibility::DrawList& late, const gl::ShaderLibrary& shaders) {
-  if (scene.faces.empty()) return std::nullopt;
+  if (scene.faces.nodes.empty()) return std::nullopt;
   return std::optional<FaceParts>(std::in_place, scene.faces, early, late, shaders);
 }
 
@@ -129,7 +129,7 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const QueryRecord& queries = queryRecords[record->frame % queryRecords.size()];
   if (queries.frame == record->frame) static_cast<culling::QueryFigures&>(result) = queries.figures;
   const bool slices = result.sliceDraws > 0;  // of the late list only the blended surfaces are drawn
-  if (slices && requestedFaces != FaceCulling::kOff) result.facesWhole = result.triangles;
+  if ((slices || !faces) && requestedFaces != FaceCulling::kOff) result.facesWhole = result.triangles;
   result.facesTested = faceFigure(*record, gpu::kFaceFigureTested, drawsEarly);
   result.facesCulled = faceFigure(*record, gpu::kFaceFigureCulled, drawsEarly);
   result.facesWhole += faceFigure(*record, gpu::kFaceFigureWhole, drawsEarly);

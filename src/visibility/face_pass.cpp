@@ -25,7 +25,7 @@ gpu::ListView scanView(gpu::ListView view) {
 }  // namespace
 
 std::uint32_t faceRanges(const scene::FaceTables& faces, std::uint32_t capacity) {
-  if (faces.empty()) return 0;
+  if (faces.nodes.empty()) return 0;
   const std::uint32_t most = kMostFaceCommands / std::max(capacity, 1U);
   return std::clamp(most, kLeastFaceRanges, std::max(faces.mostGroups, kLeastFaceRanges));
 }
