@@ -55,7 +55,7 @@ std::vector<Mover> chooseMovers(const Layout& layout, float side) {
     do {
       for (int axis = 0; axis < 3; ++axis)
         direction[axis] = double{random.uniform(-1.0F, 1.0F)};
-      if (layout.shape == Shape::kGround) direction.y = 0.0;
+      if (layout.isOnGround()) direction.y = 0.0;
     } while (!(glm::dot(direction, direction) > 1e-4 && glm::dot(direction, direction) <= 1.0));
     const double seconds = kFastest + (kSlowest - kFastest) * double{random.uniform()};
     if (moves) movers.push_back({object, direction / std::sqrt(glm::dot(direction, direction)) * (side / seconds)});

@@ -61,17 +61,12 @@ double outsideAngle(const PathSubject& subject, double frame) {
   return subject.occluder ? kArc * std::sin(phase) : phase;
 }
 
-struct EyePose {
-  glm::dvec3 position;
-  glm::dvec3 direction;
-};
-
-EyePose outsidePose(const PathSubject& subject, double frame) {
+CameraPose outsidePose(const PathSubject& subject, double frame) {
   const glm::dvec3 direction = outward(outsideAngle(subject, frame), elevation(subject));
   return {static_cast<double>(outsideDistance(subject)) * direction, -direction};
 }
 
-EyePose insidePose(const PathSubject& subject, double frame) {
+CameraPose insidePose(const PathSubject& subject, double frame) {
   const double turn = (frame - kInsideFrame) / (kFrameCount - kInsideFrame);
   const double angle = outsideAngle(subject, kApproachFrame) + 2.0 * kPi * turn;
   const glm::dvec3 direction = outward(angle, 0.0);
@@ -80,12 +75,12 @@ EyePose insidePose(const PathSubject& subject, double frame) {
           std::cos(kInsideTurn) * along - std::sin(kInsideTurn) * direction};
 }
 
-EyePose poseAt(const PathSubject& subject, double frame) {
+CameraPose poseAt(const PathSubject& subject, double frame) {
   if (single(subject) || frame < kApproachFrame) return outsidePose(subject, frame);
   if (frame >= kInsideFrame) return insidePose(subject, frame);
   const double weight = smooth((frame - kApproachFrame) / (kInsideFrame - kApproachFrame));
-  const EyePose from = outsidePose(subject, kApproachFrame);
-  const EyePose to = insidePose(subject, kInsideFrame);
+  const CameraPose from = outsidePose(subject, kApproachFrame);
+  const CameraPose to = insidePose(subject, kInsideFrame);
   const glm::dvec3 position = glm::mix(from.position, to.position, weight);
   const glm::dvec3 direction = glm::mix(-glm::normalize(position), to.direction, weight);
   return {position, glm::normalize(direction)};
@@ -117,11 +112,11 @@ std::vector<glm::vec3> eyesBehindOccluder(const PathSubject& subject) {
           glm::vec3(distance * outward(kArc, 0.0))};
 }
 
-CameraPath makeCameraPath(const PathSubject& subject) {
+CameraPath sampledPath(const std::function<CameraPose(double frame)>& poseAt) {
   CameraPath path;
   for (std::uint32_t key = 0;; key += kKeyStep) {
     const std::uint32_t frame = std::min(key, kFrameCount - 1);
-    const EyePose pose = poseAt(subject, frame);
+    const CameraPose pose = poseAt(frame);
     glm::quat rotation = rotationFor(pose.direction);
     if (!path.rotations.empty() && glm::dot(rotation, path.rotations.back()) < 0.0F) rotation = -rotation;
     path.times.push_back(static_cast<float>(frame) / static_cast<float>(kFramesPerSecond));
@@ -129,6 +124,10 @@ CameraPath makeCameraPath(const PathSubject& subject) {
     path.rotations.push_back(rotation);
     if (frame == kFrameCount - 1) return path;
   }
+}
+
+CameraPath makeCameraPath(const PathSubject& subject) {
+  return sampledPath([&](double frame) { return poseAt(subject, frame); });
 }
 
 }  // namespace jalousie::scatter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
@@ -28,13 +29,22 @@ struct CameraPath {
   std::vector<glm::quat> rotations;
 };
 
+/// Where a camera is and where it looks. The direction is a unit vector, and not vertical.
+struct CameraPose {
+  glm::dvec3 position;
+  glm::dvec3 direction;
+};
+
+/// Keys every ten frames and at the last frame, to be interpolated linearly. @param poseAt  of a frame
+CameraPath sampledPath(const std::function<CameraPose(double frame)>& poseAt);
+
 /// Distance from the origin at which all objects are in view of a square image, from everywhere on the path outside.
 float outsideDistance(const PathSubject& subject);
 
 /// Positions of the frames during which an occluder stands between the camera and the objects.
 std::vector<glm::vec3> eyesBehindOccluder(const PathSubject& subject);
 
-/// Keys every ten frames and at the last frame, to be interpolated linearly.
+/// The path around the objects and among them.
 CameraPath makeCameraPath(const PathSubject& subject);
 
 }  // namespace jalousie::scatter

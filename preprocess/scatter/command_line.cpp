@@ -18,6 +18,7 @@
 #include "cli/memory_option.h"
 #include "cli/program.h"
 #include "core/error.h"
+#include "scatter/city.h"
 
 namespace jalousie::scatter {
 namespace {
@@ -45,13 +46,15 @@ constexpr const char* kFooter = R"(Examples:
       scatter 300 objects with random rotation and scale
   jalousie-scatter tree.glb --count 800 --layout ground --scale 0.5,2 -o wood.glb
       let 800 objects stand on the ground
+  jalousie-scatter bunny.glb --count 2000 --layout city --built 0.3 -o town.glb
+      let 2000 objects stand in the streets and courtyards of a sparse city
   jalousie-scatter bunny.glb --count 1 --occluder foliage --cover 0.8 -o behind_leaves.glb
       place one object behind leaves that cover 80 % of the occluder's area
 
 The same input and options give the same bytes. The first object is in the middle.
 Every scene has an animated camera with 1800 frames at 30 per second. Several objects: around them (frames 0-899),
 towards it (900-1199), a circle inside (1200-1799). A single object: circles around it, or an arc in front of the
-occluder.)";
+occluder. A city has three cameras: walk, flight and drive.)";
 
 /// The options as given; absent ones come from the preset or the defaults.
 struct Given {
@@ -64,6 +67,7 @@ struct Given {
   std::string occluder;
   float cover = 0.75F;
   float moving = 0.0F;
+  std::optional<float> built;
 };
 
 [[noreturn]] void usage(const std::string& message) {
@@ -114,6 +118,19 @@ Layout presetLayout(const std::string& preset) {
   return layout;
 }
 
+/// What a city needs beside what all layouts need.
+void resolveCity(const Given& given, Layout& layout) {
+  if (layout.shape != Shape::kCity) {
+    if (given.built) usage("--built needs --layout city");
+    return;
+  }
+  if (!given.occluder.empty()) usage("--layout city has buildings, and no --occluder");
+  if (layout.scale.max > kLargestInStreets)
+    usage(fmt::format("--layout city needs a --scale of at most {}: streets have a width", kLargestInStreets));
+  layout.built = given.built.value_or(1.0F);
+  if (!(layout.built >= 0.0F && layout.built <= 1.0F)) usage("--built must be 0 to 1");
+}
+
 /// Merges preset, explicit options and defaults; checks the ranges.
 Layout resolveLayout(const Given& given, std::uint64_t seed) {
   if (given.preset.empty() && !given.count) usage("--count or --preset is required");
@@ -123,9 +140,10 @@ Layout resolveLayout(const Given& given, std::uint64_t seed) {
   const std::uint64_t most = asset::Limits{}.maxInstances;
   if (layout.count < 1 || layout.count > most) usage(fmt::format("--count must be 1 to {}", most));
   if (given.layout == "ground") layout.shape = Shape::kGround;
-  if (given.preset.empty() || layout.shape == Shape::kGround) {
+  if (given.layout == "city") layout.shape = Shape::kCity;
+  if (given.preset.empty() || layout.isOnGround()) {
     const auto count = static_cast<double>(layout.count);
-    const double along = layout.shape == Shape::kGround ? std::sqrt(count) : std::cbrt(count);
+    const double along = layout.isOnGround() ? std::sqrt(count) : std::cbrt(count);
     layout.sideDiagonals = static_cast<float>(kDefaultSpacing * along);
   }
   if (given.side) {
@@ -136,6 +154,7 @@ Layout resolveLayout(const Given& given, std::uint64_t seed) {
   if (given.scale) layout.scale = parseScale(*given.scale);
   if (!(given.moving >= 0.0F && given.moving <= 1.0F)) usage("--moving must be 0 to 1");
   layout.moving = given.moving;
+  resolveCity(given, layout);
   return layout;
 }
 
@@ -151,12 +170,19 @@ std::optional<Occluder> resolveOccluder(const Given& given, bool coverGiven) {
 void addLayoutOptions(CLI::App& app, Given& given, std::uint64_t& seed) {
   app.add_option("--count", given.count, "Scatter this many objects, the one in the middle included [from --preset]")
       ->type_name(fmt::format("1..{}", asset::Limits{}.maxInstances));
-  app.add_option("--layout", given.layout, "Place objects in a cube, or let them stand on a square of ground")
-      ->check(CLI::IsMember({"cube", "ground"}))
+  app.add_option("--layout", given.layout,
+                 "Place objects in a cube, let them stand on a square of ground, or in the streets and courtyards of a "
+                 "city of closed buildings")
+      ->check(CLI::IsMember({"cube", "ground", "city"}))
       ->capture_default_str();
+  app.add_option("--built", given.built,
+                 "Build on this share of the lots around each block of the city; one lot of a block is its gate")
+      ->type_name("0..1")
+      ->default_str("1");
   app.add_option("--side", given.side,
                  "Set the side of the cube or square of the objects' centres, world units "
-                 "[1.2 diagonals of the object per object along a side]")
+                 "[1.2 diagonals of the object per object along a side; a city: rounded up to whole blocks, with 60 "
+                 "objects a block]")
       ->type_name("LENGTH");
   app.add_option("--rotate", given.rotate, "Rotate objects at random: x (about the global x axis), any, none")
       ->check(CLI::IsMember({"x", "any", "none"}))

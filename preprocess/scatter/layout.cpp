@@ -43,6 +43,14 @@ glm::vec3 randomPlace(float halfSide, Random& random) {
   return place;
 }
 
+/// The first of random places that leaves a city's buildings alone. Streets are always free.
+/// @param scale  the object's largest one
+glm::vec3 freePlace(const City& city, glm::vec3 place, float scale, Random& random) {
+  while (!city.isFree({place.x, place.z}, 0.5F * scale * city.unit))
+    place = randomPlace(0.5F * city.side(), random);
+  return place;
+}
+
 }  // namespace
 
 float sideOf(const Layout& layout, const SourceAsset& source) {
@@ -66,14 +74,15 @@ float standOnGround(std::vector<Placement>& placements, const SourceAsset& sourc
   return ground;
 }
 
-std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress) {
+std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress, const City* city) {
   constexpr std::uint32_t kProgressStep = 1U << 16U;
   Random random(layout.seed);
   std::vector<Placement> placements;
   placements.reserve(layout.count);
   for (std::uint32_t i = 0; i < layout.count; ++i) {
     glm::vec3 place = i == 0 ? glm::vec3(0.0F) : randomPlace(0.5F * side, random);
-    if (layout.shape == Shape::kGround) place.y = 0.0F;
+    if (city != nullptr) place = freePlace(*city, place, layout.scale.max, random);
+    if (layout.isOnGround()) place.y = 0.0F;
     const glm::quat turn = randomRotation(layout.rotation, random);
     placements.push_back({place, turn, random.uniform(layout.scale.min, layout.scale.max)});
     if (i % kProgressStep == 0) progress.update(i);

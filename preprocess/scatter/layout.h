@@ -8,12 +8,13 @@
 #include "asset/instancing.h"
 #include "core/aabb.h"
 #include "core/progress.h"
+#include "scatter/city.h"
 #include "scatter/options.h"
 #include "scatter/source_asset.h"
 
 namespace jalousie::scatter {
 
-/// Side of the cube or square, world units.
+/// Side of the cube or square, world units. Not for a city, whose blocks decide.
 float sideOf(const Layout& layout, const SourceAsset& source);
 
 /// Where an object stands: it is turned and scaled about the centre of its box, which is moved to a place.
@@ -24,8 +25,9 @@ struct Placement {
 };
 
 /// Places layout.count objects. The box's centre of object 0 is at the origin; those of the others are uniform in the
-/// cube [-side/2, side/2]^3, or in its middle plane y = 0. Deterministic in layout and side.
-std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress);
+/// cube [-side/2, side/2]^3, or in its middle plane y = 0. Deterministic in layout, side and city.
+/// @param city  null, or the city whose built lots stay free
+std::vector<Placement> placeObjects(const Layout& layout, float side, Progress& progress, const City* city = nullptr);
 
 /// Moves objects up or down so that the lowest vertices of all are as low as those of the first one, which stays.
 /// @param placements  not empty   @param source  with the outermost vertices (findOutermost)

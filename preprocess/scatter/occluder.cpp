@@ -22,32 +22,14 @@ constexpr float kOverhang = 1.15F;  ///< size relative to the smallest one that 
 /// Makes the random numbers of the leaves independent of those of the objects.
 constexpr std::uint64_t kLeafStream = 0x6C656166ULL;
 
-void addQuad(OccluderMesh& mesh, const glm::vec3& origin, const glm::vec3& u, const glm::vec3& v) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {origin, origin + u, origin + u + v, origin + v});
-  mesh.normals.insert(mesh.normals.end(), 4, glm::normalize(glm::cross(u, v)));
-  mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
-}
-
 /// Box over a rectangle of the plane, centred on it in depth. Nothing for an empty rectangle.
-void addBox(OccluderMesh& mesh, const glm::vec2& low, const glm::vec2& high, float thickness) {
-  if (!(high.x > low.x) || !(high.y > low.y)) return;
-  const glm::vec3 a(low, -0.5F * thickness);
-  const glm::vec3 b(high, 0.5F * thickness);
-  const glm::vec3 x(b.x - a.x, 0.0F, 0.0F);
-  const glm::vec3 y(0.0F, b.y - a.y, 0.0F);
-  const glm::vec3 z(0.0F, 0.0F, b.z - a.z);
-  addQuad(mesh, a + z, x, y);
-  addQuad(mesh, a, y, x);
-  addQuad(mesh, a + x, y, z);
-  addQuad(mesh, a, z, y);
-  addQuad(mesh, a + y, z, x);
-  addQuad(mesh, a, x, z);
+void addBoxOver(PlainMesh& mesh, const glm::vec2& low, const glm::vec2& high, float thickness) {
+  addBox(mesh, {glm::vec3(low, -0.5F * thickness), glm::vec3(high, 0.5F * thickness)});
 }
 
 /// Bars on the borders of square cells; a cell's open share is (1 - bar)^2.
-OccluderMesh makeGrid(float cover, float half) {
-  OccluderMesh mesh;
+PlainMesh makeGrid(float cover, float half) {
+  PlainMesh mesh;
   const float period = 2.0F * half / kGridCells;
   const float bar = 0.5F * period * (1.0F - std::sqrt(1.0F - cover));
   if (!(bar > 0.0F)) return mesh;
@@ -55,31 +37,32 @@ OccluderMesh makeGrid(float cover, float half) {
     const float at = -half + i * period;
     const float low = std::max(at - bar, -half);
     const float high = std::min(at + bar, half);
-    addBox(mesh, {low, -half}, {high, half}, kThickness * half);
+    addBoxOver(mesh, {low, -half}, {high, half}, kThickness * half);
     // The horizontal bars are thinner in depth: no two faces share a plane and flicker.
-    addBox(mesh, {-half, low}, {half, high}, 0.5F * kThickness * half);
+    addBoxOver(mesh, {-half, low}, {half, high}, 0.5F * kThickness * half);
   }
   return mesh;
 }
 
-OccluderMesh makeFence(float cover, float half) {
-  OccluderMesh mesh;
+PlainMesh makeFence(float cover, float half) {
+  PlainMesh mesh;
   const float period = 2.0F * half / kFenceSlats;
   for (float i = 0.0F; i < kFenceSlats; i += 1.0F) {
     const float middle = -half + (i + 0.5F) * period;
-    addBox(mesh, {middle - 0.5F * cover * period, -half}, {middle + 0.5F * cover * period, half}, kThickness * half);
+    addBoxOver(mesh, {middle - 0.5F * cover * period, -half}, {middle + 0.5F * cover * period, half},
+               kThickness * half);
   }
   return mesh;
 }
 
-OccluderMesh makePlane(float cover, float half) {
-  OccluderMesh mesh;
+PlainMesh makePlane(float cover, float half) {
+  PlainMesh mesh;
   const float hole = half * std::sqrt(1.0F - cover);
   const float thickness = kThickness * half;
-  addBox(mesh, {-half, -half}, {-hole, half}, thickness);
-  addBox(mesh, {hole, -half}, {half, half}, thickness);
-  addBox(mesh, {-hole, -half}, {hole, -hole}, thickness);
-  addBox(mesh, {-hole, hole}, {hole, half}, thickness);
+  addBoxOver(mesh, {-half, -half}, {-hole, half}, thickness);
+  addBoxOver(mesh, {hole, -half}, {half, half}, thickness);
+  addBoxOver(mesh, {-hole, -half}, {hole, -hole}, thickness);
+  addBoxOver(mesh, {-hole, hole}, {hole, half}, thickness);
   return mesh;
 }
 
@@ -92,7 +75,7 @@ glm::vec2 randomInDisc(Random& random) {
 }
 
 /// A kite of two triangles, tilted and turned at random.
-void addLeaf(OccluderMesh& mesh, const glm::vec3& center, float length, Random& random) {
+void addLeaf(PlainMesh& mesh, const glm::vec3& center, float length, Random& random) {
   const glm::vec3 normal = glm::normalize(glm::vec3(kLeafTilt * randomInDisc(random), 1.0F));
   glm::vec2 heading(0.0F);
   while (glm::dot(heading, heading) < 1e-4F)
@@ -117,8 +100,8 @@ std::uint32_t leafCount(float cover, double area, double leafLength) {
   return static_cast<std::uint32_t>(std::lround(-std::log(open) * area / leafArea));
 }
 
-OccluderMesh makeFoliage(float cover, float half, std::uint64_t seed) {
-  OccluderMesh mesh;
+PlainMesh makeFoliage(float cover, float half, std::uint64_t seed) {
+  PlainMesh mesh;
   Random random(seed ^ kLeafStream);
   const float length = kLeafLength * half;
   const float reach = half + 0.5F * length;  // leaves from beyond the border cover it like the middle
@@ -150,7 +133,7 @@ OccluderPlace placeOccluder(const PathSubject& subject) {
   return {distance, kOverhang * half};
 }
 
-OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed) {
+PlainMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed) {
   switch (occluder.kind) {
     case OccluderKind::kFoliage:
       return makeFoliage(occluder.cover, halfSize, seed);
@@ -164,9 +147,9 @@ OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_
   return makePlane(occluder.cover, halfSize);
 }
 
-OccluderMesh makeSlab(float halfSize, float thickness) {
-  OccluderMesh mesh;
-  addBox(mesh, glm::vec2(-halfSize), glm::vec2(halfSize), thickness);
+PlainMesh makeSlab(float halfSize, float thickness) {
+  PlainMesh mesh;
+  addBoxOver(mesh, glm::vec2(-halfSize), glm::vec2(halfSize), thickness);
   return mesh;
 }
 

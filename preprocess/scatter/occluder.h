@@ -5,17 +5,11 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "scatter/box_mesh.h"
 #include "scatter/camera_path.h"
 #include "scatter/options.h"
 
 namespace jalousie::scatter {
-
-/// Indexed triangles with one normal per vertex.
-struct OccluderMesh {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;
-  std::vector<std::uint32_t> indices;
-};
 
 /// Where an occluder stands: a square in the plane z = distance, facing +z, centred on the z axis. World units.
 struct OccluderPlace {
@@ -30,10 +24,10 @@ OccluderPlace placeOccluder(const PathSubject& subject);
 /// Makes the geometry around the origin, in the square [-halfSize, halfSize]^2 of the plane z = 0.
 /// `occluder.cover` is the share of that square that is covered as seen from +z; exact except for foliage, whose leaves
 /// fall at random and whose share is at most 0.99.
-OccluderMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed);
+PlainMesh makeOccluder(const Occluder& occluder, float halfSize, std::uint64_t seed);
 
 /// Makes a slab over the square [-halfSize, halfSize]^2, centred on the plane z = 0.
-OccluderMesh makeSlab(float halfSize, float thickness);
+PlainMesh makeSlab(float halfSize, float thickness);
 
 /// "foliage", "grid", "fence", "plane".
 const char* occluderName(OccluderKind kind);

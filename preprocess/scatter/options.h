@@ -27,6 +27,7 @@ enum class OccluderKind {
 enum class Shape {
   kCube,    ///< centres uniform in a cube
   kGround,  ///< standing on a square of ground, uniform
+  kCity,    ///< standing in the streets and courtyards of a city
 };
 
 /// Range of the uniform scale factor, 0 < min <= max.
@@ -34,6 +35,9 @@ struct ScaleRange {
   float min = 1.0F;
   float max = 1.0F;
 };
+
+/// "cube", "ground", "city".
+const char* shapeName(Shape shape);
 
 /// How the objects are placed. Presets and defaults are already merged in.
 struct Layout {
@@ -44,7 +48,11 @@ struct Layout {
   Rotation rotation = Rotation::kNone;
   ScaleRange scale;
   float moving = 0.0F;  ///< share of the objects that bounce in the cube or on the ground, 0 to 1
+  float built = 1.0F;   ///< share of a city's lots that have a building, 0 to 1
   std::uint64_t seed = 1;
+
+  /// Whether the objects stand on a plane.
+  bool isOnGround() const { return shape != Shape::kCube; }
 };
 
 struct Occluder {

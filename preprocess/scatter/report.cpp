@@ -31,12 +31,24 @@ ordered_json vectorJson(const glm::vec3& v) {
 
 }  // namespace
 
+const char* shapeName(Shape shape) {
+  switch (shape) {
+    case Shape::kGround:
+      return "ground";
+    case Shape::kCity:
+      return "city";
+    case Shape::kCube:
+      break;
+  }
+  return "cube";
+}
+
 std::string reportJson(const Options& options, const Summary& summary) {
   const Layout& layout = options.layout;
   ordered_json report;
   report["objects"] = layout.count;
   report["meshes_per_object"] = summary.meshesPerObject;
-  report["layout"] = layout.shape == Shape::kGround ? "ground" : "cube";
+  report["layout"] = shapeName(layout.shape);
   report["side"] = summary.side;
   report["rotate"] = rotationName(layout.rotation);
   report["scale"] = {layout.scale.min, layout.scale.max};
@@ -51,6 +63,13 @@ std::string reportJson(const Options& options, const Summary& summary) {
                           {"cover", options.occluder->cover},
                           {"triangles", summary.occluderTriangles}};
   }
+  if (layout.shape == Shape::kCity) {
+    report["city"] = {{"built", layout.built},
+                      {"blocks", summary.blocks},
+                      {"buildings", summary.buildings},
+                      {"boxes", summary.buildingBoxes},
+                      {"triangles", summary.buildingTriangles}};
+  }
   if (summary.groundTriangles > 0) report["ground_triangles"] = summary.groundTriangles;
   report["bounds"] = {{"min", vectorJson(summary.boundsWorld.min)}, {"max", vectorJson(summary.boundsWorld.max)}};
   report["camera_frames"] = kFrameCount;
@@ -64,7 +83,10 @@ std::string reportLine(const Options& options, const Summary& summary) {
   const std::uint32_t count = options.layout.count;
   std::string objects = count == 1 ? "1 object" : fmt::format("{} objects", count);
   if (summary.meshesPerObject > 1) objects += fmt::format(" of {} meshes", summary.meshesPerObject);
-  const char* where = options.layout.shape == Shape::kGround ? "on a ground" : "in a cube";
+  const char* where = options.layout.shape == Shape::kCity     ? "in a city"
+                      : options.layout.shape == Shape::kGround ? "on a ground"
+                                                               : "in a cube";
+  if (summary.buildings > 0) objects += fmt::format(" and {} buildings", summary.buildings);
   if (count > 1) objects += fmt::format(" {} of side {:.4g}", where, summary.side);
   if (summary.moving > 0) objects += fmt::format(", {} of them moving", summary.moving);
   return fmt::format("{}, {} triangles at LOD 0", objects, summary.trianglesFull);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -17,6 +18,8 @@
 #include "core/error.h"
 #include "scatter/bounce.h"
 #include "scatter/camera_path.h"
+#include "scatter/city.h"
+#include "scatter/city_path.h"
 #include "scatter/layout.h"
 #include "scatter/occluder.h"
 #include "scatter/source_asset.h"
@@ -217,10 +220,10 @@ std::vector<int> addParts(Objects& objects, const SourceAsset& source, const std
   return nodes;
 }
 
-int addMaterial(Model& model, const std::string& name, const glm::vec3& color) {
+int addMaterial(Model& model, const std::string& name, const glm::vec3& color, bool doubleSided) {
   tinygltf::Material material;
   material.name = name;
-  material.doubleSided = true;
+  material.doubleSided = doubleSided;
   material.pbrMetallicRoughness.baseColorFactor = {color.x, color.y, color.z, 1.0};
   material.pbrMetallicRoughness.metallicFactor = 0.0;
   model.materials.push_back(std::move(material));
@@ -228,13 +231,14 @@ int addMaterial(Model& model, const std::string& name, const glm::vec3& color) {
 }
 
 /// Adds a mesh with a material of its own. @return  its index
-int addMesh(Model& model, const OccluderMesh& geometry, const std::string& name, const glm::vec3& color) {
+int addMesh(Model& model, const PlainMesh& geometry, const std::string& name, const glm::vec3& color,
+            bool doubleSided = true) {
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   primitive.attributes["POSITION"] = asset::appendVec3(model, geometry.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
   primitive.attributes["NORMAL"] = asset::appendVec3(model, geometry.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
   primitive.indices = asset::appendIndices(model, geometry.indices);
-  primitive.material = addMaterial(model, name, color);
+  primitive.material = addMaterial(model, name, color, doubleSided);
   tinygltf::Mesh mesh;
   mesh.name = name;
   mesh.primitives.push_back(std::move(primitive));
@@ -246,7 +250,7 @@ int addMesh(Model& model, const OccluderMesh& geometry, const std::string& name,
 std::optional<int> addOccluder(Model& model, const Occluder& occluder, const PathSubject& subject, std::uint64_t seed,
                                Summary& summary) {
   const OccluderPlace place = placeOccluder(subject);
-  const OccluderMesh geometry = makeOccluder(occluder, place.halfSize, seed);
+  const PlainMesh geometry = makeOccluder(occluder, place.halfSize, seed);
   if (geometry.indices.empty()) return std::nullopt;
   const glm::vec3 color =
       occluder.kind == OccluderKind::kFoliage ? glm::vec3(0.1F, 0.3F, 0.06F) : glm::vec3(0.3F, 0.25F, 0.2F);
@@ -266,7 +270,7 @@ int addGround(Model& model, const SourceAsset& source, const Layout& layout, flo
   const float margin = layout.scale.max * source.diagonal;
   const float half = 0.5F * summary.side + margin;
   const float thickness = kThickness * source.diagonal;
-  const OccluderMesh geometry = makeSlab(half, thickness);
+  const PlainMesh geometry = makeSlab(half, thickness);
   const int node = addNode(model, "ground", addMesh(model, geometry, "ground", {0.25F, 0.3F, 0.2F}));
   model.nodes.back().translation = numbers({0.0F, top - 0.5F * thickness, 0.0F});
   model.nodes.back().rotation = {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};  // z becomes y
@@ -276,15 +280,82 @@ int addGround(Model& model, const SourceAsset& source, const Layout& layout, flo
   return node;
 }
 
-int addCamera(Model& model, const PathSubject& subject, const Aabb& boundsWorld) {
-  const float farthest = outsideDistance(subject) + glm::length(glm::max(glm::abs(boundsWorld.min), boundsWorld.max));
-  const CameraPath path = makeCameraPath(subject);
+/// Adds a camera. @param farthest  distance of what it sees, world units   @return  its node
+int addCamera(Model& model, const std::string& name, const CameraPath& path, float objectRadius, float farthest) {
   asset::Camera camera;
   camera.fovY = kFovY;
-  camera.zNear = kNearShare * subject.objectRadius;
+  camera.zNear = kNearShare * objectRadius;
   camera.zFar = kFarShare * farthest;
   camera.track = {path.times, path.positions, path.times, path.rotations};
-  return asset::appendCamera(model, "walkthrough", camera);
+  return asset::appendCamera(model, name, camera);
+}
+
+float reachOf(const Aabb& box) {
+  return glm::length(glm::max(glm::abs(box.min), box.max));
+}
+
+/// Instances of the buildings of one design.
+asset::Instances buildingsOf(const City& city, std::uint32_t design, float ground) {
+  static const std::array<glm::quat, 4> kTurns = {
+      glm::quat(1.0F, 0.0F, 0.0F, 0.0F), glm::quat(std::sqrt(0.5F), 0.0F, std::sqrt(0.5F), 0.0F),
+      glm::quat(0.0F, 0.0F, 1.0F, 0.0F), glm::quat(std::sqrt(0.5F), 0.0F, -std::sqrt(0.5F), 0.0F)};
+  asset::Instances instances;
+  for (const Building& building : city.buildings) {
+    if (building.design != design) continue;
+    instances.translations.emplace_back(building.place.x, ground, building.place.y);
+    instances.rotations.push_back(kTurns[building.quarterTurns]);
+    instances.scales.emplace_back(1.0F);
+  }
+  return instances;
+}
+
+/// The mesh of a design. @return  its index
+int addBuilding(Model& model, const City& city, std::uint32_t design) {
+  PlainMesh geometry;
+  for (const Aabb& box : city.designs[design].boxes)
+    addBox(geometry, box);
+  const auto shade = static_cast<float>(design) / static_cast<float>(city.designs.size());
+  const glm::vec3 color(0.45F + 0.3F * shade, 0.4F, 0.5F - 0.3F * shade);
+  return addMesh(model, geometry, fmt::format("building {}", design), color, /*doubleSided=*/false);
+}
+
+/// Adds the buildings, one node for each design that is used. @param ground  y, world units   @return  the nodes
+std::vector<int> addBuildings(Model& model, const City& city, float ground, Summary& summary) {
+  constexpr std::uint64_t kBoxTriangles = 12;
+  std::vector<int> nodes;
+  for (std::uint32_t design = 0; design < city.designs.size(); ++design) {
+    const asset::Instances instances = buildingsOf(city, design, ground);
+    const std::size_t count = instances.translations.size();
+    if (count == 0) continue;
+    const int mesh = addBuilding(model, city, design);
+    nodes.push_back(addNode(model, model.meshes[static_cast<std::size_t>(mesh)].name, mesh));
+    model.nodes.back().extensions["EXT_mesh_gpu_instancing"] = asset::appendInstances(model, instances);
+    Aabb bounds;
+    for (const Aabb& box : city.designs[design].boxes)
+      bounds.add(box);
+    summary.buildings += count;
+    summary.buildingBoxes += count * city.designs[design].boxes.size();
+    summary.boundsWorld.add(boundsOf(instances, bounds));
+  }
+  summary.blocks = city.blocks;
+  summary.buildingTriangles = kBoxTriangles * summary.buildingBoxes;
+  summary.trianglesFull += summary.buildingTriangles;
+  return nodes;
+}
+
+/// @param city  null without   @return  the nodes of the cameras
+std::vector<int> addCameras(Model& model, const City* city, const PathSubject& subject, const Aabb& boundsWorld) {
+  if (city == nullptr)
+    return {addCamera(model, "walkthrough", makeCameraPath(subject), subject.objectRadius,
+                      outsideDistance(subject) + reachOf(boundsWorld))};
+  std::vector<int> nodes;
+  for (const CityPath& path : cityPaths(*city))
+    nodes.push_back(addCamera(model, path.name, path.path, subject.objectRadius, 2.0F * reachOf(boundsWorld)));
+  return nodes;
+}
+
+void append(std::vector<int>& nodes, const std::vector<int>& more) {
+  nodes.insert(nodes.end(), more.begin(), more.end());
 }
 
 /// The camera path squares lengths, so the squares must be finite too.
@@ -298,10 +369,12 @@ void requireRepresentable(const Aabb& box) {
 ScatteredScene scatterObjects(Model input, const Options& options, Progress& progress) {
   const Layout& layout = options.layout;
   SourceAsset source = findSourceAsset(input);
-  if (layout.shape == Shape::kGround) findOutermost(input, source);
+  if (layout.isOnGround()) findOutermost(input, source);
+  std::optional<City> city;
+  if (layout.shape == Shape::kCity) city = planCity(layout, source.diagonal);
   ScatteredScene scene;
   Summary& summary = scene.summary;
-  summary.side = sideOf(layout, source);
+  summary.side = city ? city->side() : sideOf(layout, source);
   summary.levels = source.levels();
   summary.meshesPerObject = instancesPerObject(input);
   summary.trianglesPerObject = source.triangles();
@@ -312,14 +385,15 @@ ScatteredScene scatterObjects(Model input, const Options& options, Progress& pro
   const std::vector<tinygltf::Mesh> meshes = std::move(input.meshes);
   model = withoutNodes(std::move(input));
   tinygltf::Scene root;
-  std::vector<Placement> placements = placeObjects(layout, summary.side, progress);
+  std::vector<Placement> placements = placeObjects(layout, summary.side, progress, city ? &*city : nullptr);
   std::optional<float> ground;
-  if (layout.shape == Shape::kGround) ground = standOnGround(placements, source);
+  if (layout.isOnGround()) ground = standOnGround(placements, source);
   Objects objects(model, meshes);
   Movers bouncing(model, objects, source, 0.5F * summary.side);
   const std::vector<int> movers = addMovers(bouncing, source, layout, placements, summary);
   root.nodes = addParts(objects, source, placements, summary);
-  root.nodes.insert(root.nodes.end(), movers.begin(), movers.end());
+  append(root.nodes, movers);
+  if (city) append(root.nodes, addBuildings(model, *city, *ground, summary));
   if (ground) root.nodes.push_back(addGround(model, source, layout, *ground, summary));
   requireRepresentable(summary.boundsWorld);
 
@@ -329,7 +403,7 @@ ScatteredScene scatterObjects(Model input, const Options& options, Progress& pro
     const auto node = addOccluder(model, *options.occluder, subject, layout.seed, summary);
     if (node) root.nodes.push_back(*node);
   }
-  root.nodes.push_back(addCamera(model, subject, summary.boundsWorld));
+  append(root.nodes, addCameras(model, city ? &*city : nullptr, subject, summary.boundsWorld));
   model.scenes.push_back(std::move(root));
   model.defaultScene = 0;
   return scene;

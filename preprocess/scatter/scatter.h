@@ -19,10 +19,14 @@ struct Summary {
   std::uint32_t levels = 0;              ///< of the longest LOD chain
   std::uint64_t meshesPerObject = 0;     ///< instances of meshes that an object consists of
   std::uint64_t trianglesPerObject = 0;  ///< LOD 0
-  std::uint64_t trianglesFull = 0;       ///< LOD 0 of all objects, the occluder and the ground
+  std::uint64_t trianglesFull = 0;       ///< LOD 0 of objects, occluder, buildings and ground
   std::uint64_t occluderTriangles = 0;
   std::uint64_t groundTriangles = 0;
-  Aabb boundsWorld;              ///< objects, occluder and ground
+  std::uint32_t blocks = 0;  ///< of a city, along a side
+  std::uint64_t buildings = 0;
+  std::uint64_t buildingBoxes = 0;  ///< of all buildings
+  std::uint64_t buildingTriangles = 0;
+  Aabb boundsWorld;              ///< objects, occluder, buildings and ground
   asset::ContentCounts ignored;  ///< what of the input is left out
 };
 

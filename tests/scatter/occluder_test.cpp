@@ -18,7 +18,7 @@ float edge(const glm::vec3& a, const glm::vec3& b, const glm::vec2& p) {
 }
 
 /// Which of kSamples^2 points of the square are covered, seen from +z.
-std::vector<bool> coverMask(const OccluderMesh& mesh) {
+std::vector<bool> coverMask(const PlainMesh& mesh) {
   std::vector<bool> mask(kSamples * kSamples, false);
   const float cell = 2.0F * kHalf / kSamples;
   const auto firstSample = [&](float x) { return std::clamp(static_cast<int>((x + kHalf) / cell) - 1, 0, kSamples); };
@@ -75,7 +75,7 @@ TEST_P(EveryOccluder, ExtremesAreOpenAndClosed) {
 }
 
 TEST_P(EveryOccluder, IsWellFormedGeometry) {
-  const OccluderMesh mesh = makeOccluder({GetParam(), 0.75F}, kHalf, 1);
+  const PlainMesh mesh = makeOccluder({GetParam(), 0.75F}, kHalf, 1);
   ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
   ASSERT_EQ(mesh.indices.size() % 3, 0U);
   EXPECT_LT(mesh.indices.size() / 3, 40'000U);
