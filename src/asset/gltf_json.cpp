@@ -9,6 +9,7 @@
 #include <string>
 
 #include "asset/gltf_shapes.h"
+#include "asset/mesh_occluders.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -127,10 +128,12 @@ void checkOwnExtras(const json& document, const Path& file) {
   for (std::size_t i = 0; i < meshes->size(); ++i) {
     const json& mesh = (*meshes)[i];
     if (!mesh.is_object() || !mesh.contains("extras") || !mesh["extras"].is_object()) continue;
-    const auto own = mesh["extras"].find("jalousie");
-    if (own != mesh["extras"].end() && holdsLargeInteger(*own))
-      throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.jalousie holds a number above 2^31 - 1", i),
-                  file);
+    for (const char* key : {"jalousie", kOccluders}) {
+      const auto own = mesh["extras"].find(key);
+      if (own != mesh["extras"].end() && holdsLargeInteger(*own))
+        throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.{} holds a number above 2^31 - 1", i, key),
+                    file);
+    }
   }
 }
 

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "asset/mesh_occluders.h"
+
 namespace jalousie::asset {
 namespace {
 
@@ -77,7 +79,7 @@ bool mayHoldReference(const nlohmann::json& value) {
   }
   if (!value.is_structured()) return false;
   for (const auto& [key, member] : value.items())
-    if (key != "jalousie" && mayHoldReference(member)) return true;
+    if (key != "jalousie" && key != kOccluders && mayHoldReference(member)) return true;
   return false;
 }
 

@@ -18,6 +18,7 @@
 #include "asset/accessor.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
+#include "asset/mesh_occluders.h"
 #include "core/error.h"
 
 namespace jalousie::asset {
@@ -132,30 +133,30 @@ int quantizeAttribute(tinygltf::Model& model, const std::string& name, int sourc
 }
 
 /// Nodes that show one chain of meshes together: LOD 0 nodes and, per node, those of its levels.
-struct Chain {
+struct QuantizedChain {
   std::vector<int> nodes;
   std::set<int> meshes;
   bool movable = true;  ///< positions may go onto a grid
 };
 
 /// Groups of meshes that must share a grid.
-std::vector<Chain> findChains(const tinygltf::Model& model) {
+std::vector<QuantizedChain> findChains(const tinygltf::Model& model) {
   std::vector<bool> isLower(model.nodes.size(), false);
   for (std::size_t n = 0; n < model.nodes.size(); ++n)
     for (const int lower : lodNodes(model, static_cast<int>(n)))
       isLower[static_cast<std::size_t>(lower)] = true;
-  std::vector<Chain> chains;
+  std::vector<QuantizedChain> chains;
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     const tinygltf::Node& node = model.nodes[n];
     if (isLower[n] || node.mesh < 0) continue;
-    Chain chain;
+    QuantizedChain chain;
     chain.nodes = {static_cast<int>(n)};
     chain.meshes = {node.mesh};
     chain.movable = node.skin < 0 && !node.extensions.contains("EXT_mesh_gpu_instancing");
     for (const int lower : lodNodes(model, static_cast<int>(n)))
       chain.meshes.insert(model.nodes[static_cast<std::size_t>(lower)].mesh);
     // Merge with chains that share a mesh.
-    for (Chain& other : chains) {
+    for (QuantizedChain& other : chains) {
       const bool shares =
           std::any_of(chain.meshes.begin(), chain.meshes.end(), [&](int mesh) { return other.meshes.contains(mesh); });
       if (!shares) continue;
@@ -165,7 +166,7 @@ std::vector<Chain> findChains(const tinygltf::Model& model) {
       other.nodes.clear();
       other.meshes.clear();
     }
-    std::erase_if(chains, [](const Chain& other) { return other.nodes.empty(); });
+    std::erase_if(chains, [](const QuantizedChain& other) { return other.nodes.empty(); });
     chains.push_back(std::move(chain));
   }
   return chains;
@@ -206,6 +207,7 @@ Grid gridOf(const tinygltf::Model& model, const std::set<int>& meshes) {
 /// Lengths of extras.jalousie in the mesh's new object space, with the rounding added to what may be off. The order of
 /// the triangles stays, and with it the cells.
 void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid& grid) {
+  setOccluders(mesh, {});  // rounded positions may leave them outside; the baker makes new ones
   std::optional<LodInfo> info = lodInfo(mesh);
   if (!info) return;
   const double rounding = info->lod > 0 ? roundingOf(1.0) : 0.0;
@@ -280,7 +282,7 @@ double quantizeRounding(double extent) {
 
 void quantizeModel(tinygltf::Model& model) {
   bool changed = false;
-  for (const Chain& chain : findChains(model)) {
+  for (const QuantizedChain& chain : findChains(model)) {
     const bool all = std::all_of(chain.meshes.begin(), chain.meshes.end(), [&](int mesh) {
       return canQuantize(model, model.meshes[static_cast<std::size_t>(mesh)]);
     });

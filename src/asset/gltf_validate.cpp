@@ -17,6 +17,7 @@
 #include "asset/gltf_images.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
+#include "asset/mesh_occluders.h"
 #include "asset/node_graph.h"
 #include "core/error.h"
 
@@ -139,6 +140,7 @@ std::vector<std::size_t> validateMeshes(const Model& model) {
       lodInfo(mesh);
       lodFaces(model, mesh);
       cells.push_back(cellCount(lodCells(model, mesh)));
+      meshOccluders(mesh);
     } catch (const Error& error) {
       throw Error(error.code(), fmt::format("mesh {}: {}", i, error.what()));
     }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "asset/accessor_layout.h"
+#include "asset/extras.h"
 #include "asset/triangle_count.h"
 #include "core/check.h"
 #include "core/error.h"
@@ -26,20 +27,6 @@ constexpr double kMeanRounding = 1e-6;
 
 [[noreturn]] void malformed(const std::string& message) {
   throw Error(ErrorCode::kMalformed, message);
-}
-
-constexpr const char* kOtherExtras = "value";
-
-/// Sets one member of extras. If they are no object, they become the member "value" of one.
-void setMember(tinygltf::Value& extras, const char* key, tinygltf::Value value) {
-  tinygltf::Value::Object object;
-  if (extras.IsObject()) {
-    object = extras.Get<tinygltf::Value::Object>();
-  } else if (extras.Type() != tinygltf::NULL_TYPE) {
-    object[kOtherExtras] = extras;
-  }
-  object[key] = std::move(value);
-  extras = tinygltf::Value(std::move(object));
 }
 
 tinygltf::Value distanceValue(const DistanceInfo& distance, double diagonal) {

@@ -15,6 +15,7 @@
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_group.h"
+#include "asset/mesh_occluders.h"
 #include "asset/motion_reader.h"
 #include "asset/node_graph.h"
 #include "asset/scene_camera.h"
@@ -167,9 +168,28 @@ class SceneReader {
     const auto known = chainIndex_.find(key);
     if (known != chainIndex_.end()) return known->second;
 
-    const std::optional<std::uint32_t> index = addChain(makeChain(key.levels), key.coverage, node);
+    Chain chain = makeChain(key.levels);
+    chain.occluders = occludersOf(key.levels[0], chain);
+    const std::optional<std::uint32_t> index = addChain(std::move(chain), key.coverage, node);
     chainIndex_.emplace(std::move(key), index);
     return index;
+  }
+
+  /// Occluders stay where they are, and so those of a mesh that is posed or bent are checked and left out.
+  std::vector<Occluder> occludersOf(const ShownMesh& finest, const Chain& chain) const {
+    std::vector<Occluder> occluders = meshOccluders(model_.meshes[static_cast<std::size_t>(finest.mesh)]);
+    if (occluders.empty() || chain.levels.empty()) return {};
+    Aabb bounds;
+    for (const Primitive& primitive : scene_.meshes[chain.levels[0].mesh].primitives)
+      for (const glm::vec3& position : primitive.positions)
+        bounds.add(position);
+    if (finest.posedNode >= 0) return {};
+    try {
+      requireWithin(occluders, bounds);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("mesh {}: {}", finest.mesh, error.what()));
+    }
+    return occluders;
   }
 
   /// Index of the chain; nullopt if it has no level.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asset/scene_motion.h"
+#include "core/convex_solid.h"
 #include "core/image.h"
 #include "core/shared_vector.h"
 
@@ -121,6 +122,14 @@ struct LodLevel {
   std::optional<float> meanErrorObject = std::nullopt;  ///< mean deviation; absent where the file does not say
 };
 
+/// A convex solid or polygon in the mesh of a chain, object space: it hides what lies behind it (jalousie_occluders).
+struct Occluder {
+  ConvexSolid solid;         ///< without faults
+  std::uint32_t levels = 0;  ///< it lies inside so many of the first levels
+
+  friend bool operator==(const Occluder&, const Occluder&) = default;
+};
+
 /// LOD 0 first. One level where the file has no MSFT_lod. Nodes with the same meshes and thresholds share a chain.
 struct Chain {
   std::string name;
@@ -128,6 +137,7 @@ struct Chain {
   /// MSFT_screencoverage: for each of the first levels the least share of the screen at which it is drawn, descending.
   /// Empty where the file states none, or broken ones.
   std::vector<float> coverage = {};
+  std::vector<Occluder> occluders = {};  ///< of meshes that are neither bent nor parts of a group
 };
 
 struct Instance {

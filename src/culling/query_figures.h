@@ -1,4 +1,4 @@
-// What a frame of occlusion queries took.
+// What a frame of occlusion queries took, or one decided on the CPU.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,10 @@ struct QueryFigures {
   std::uint64_t querySwitches = 0;    ///< between drawing objects and asking
   std::uint64_t slices = 0;           ///< ranges of objects drawn
   std::uint64_t sliceDraws = 0;       ///< draw calls that drew them: what lies side by side is drawn together
+  std::uint64_t shadows = 0;          ///< of occluders that were tested against, in modes that cast shadows
   std::uint64_t nodesVisited = 0;     ///< of the hierarchy
-  std::uint64_t planeTests = 0;       ///< box against plane
-  std::uint64_t decisionNs = 0;       ///< CPU time of the schedule itself, without drawing, asking and waiting
+  std::uint64_t planeTests = 0;       ///< box against plane, of the view or of a shadow
+  std::uint64_t decisionNs = 0;       ///< CPU time of the decision itself, without drawing, asking and waiting
 };
 
 }  // namespace jalousie::culling

@@ -303,6 +303,11 @@ class SceneBuilder {
     if (bounds.empty()) bounds = Aabb{glm::vec3(0.0F), glm::vec3(0.0F)};
     result.boundsMinObject = glm::vec4(bounds.min, 0.0F);
     result.boundsMaxObject = glm::vec4(bounds.max, 0.0F);
+    for (const asset::Occluder& occluder : chain.occluders) {
+      if (occluder.levels == 0) continue;
+      scene_.occluders.push_back(
+          {occluder.solid, static_cast<std::uint32_t>(scene_.chains.size()), occluder.levels >= chain.levels.size()});
+    }
     scene_.chains.push_back(result);
   }
 

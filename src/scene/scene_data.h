@@ -34,6 +34,13 @@ struct CellTables : DrawTables {
   std::vector<gpu::CellBounds> bounds;  ///< [lods.size()]
 };
 
+/// An occluder of all objects of a chain.
+struct ChainOccluder {
+  ConvexSolid solid;        ///< object space
+  std::uint32_t chain = 0;  ///< index into SceneData::chains
+  bool everyLevel = false;  ///< it lies inside every level; false: at least inside LOD 0
+};
+
 /// Everything the GPU needs of a scene. All chains share one vertex and one index buffer.
 struct SceneData : DrawTables {
   std::vector<Vertex> vertices;
@@ -41,7 +48,8 @@ struct SceneData : DrawTables {
   std::vector<std::uint32_t> indices;
   std::vector<gpu::Transform> transforms;  ///< by Object::transform; buildScene makes one per object
   LooseTable loose;
-  MotionData motion;  ///< empty if nothing moves
+  MotionData motion;                     ///< empty if nothing moves
+  std::vector<ChainOccluder> occluders;  ///< ascending by chain
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;
