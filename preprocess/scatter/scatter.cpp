@@ -15,6 +15,7 @@
 #include "asset/camera_write.h"
 #include "asset/instancing.h"
 #include "asset/lod_chain.h"
+#include "asset/mesh_occluders.h"
 #include "core/error.h"
 #include "scatter/bounce.h"
 #include "scatter/camera_path.h"
@@ -309,14 +310,19 @@ asset::Instances buildingsOf(const City& city, std::uint32_t design, float groun
   return instances;
 }
 
-/// The mesh of a design. @return  its index
+/// The mesh of a design, with its boxes as occluders. @return  its index
 int addBuilding(Model& model, const City& city, std::uint32_t design) {
   PlainMesh geometry;
-  for (const Aabb& box : city.designs[design].boxes)
+  std::vector<asset::Occluder> occluders;
+  for (const Aabb& box : city.designs[design].boxes) {
     addBox(geometry, box);
+    occluders.push_back({solidOf(box), 1});
+  }
   const auto shade = static_cast<float>(design) / static_cast<float>(city.designs.size());
   const glm::vec3 color(0.45F + 0.3F * shade, 0.4F, 0.5F - 0.3F * shade);
-  return addMesh(model, geometry, fmt::format("building {}", design), color, /*doubleSided=*/false);
+  const int mesh = addMesh(model, geometry, fmt::format("building {}", design), color, /*doubleSided=*/false);
+  asset::setOccluders(model.meshes[static_cast<std::size_t>(mesh)], occluders);
+  return mesh;
 }
 
 /// Adds the buildings, one node for each design that is used. @param ground  y, world units   @return  the nodes

@@ -48,6 +48,8 @@ constexpr BuiltIn kBuiltIns[] = {
     {"faces-cluster", "--mode hiz --lod pixel-error --backface cluster"},
     {"faces-tree", "--mode hiz --lod pixel-error --backface tree"},
     {"faces-cone", "--mode hiz --lod pixel-error --backface cone"},
+    {"planar", "--mode planar --lod pixel-error --cells off"},
+    {"solid", "--mode solid --lod pixel-error --cells off"},
     {"default", ""},
     {"calm", "--calm"},
     {"discrete", "--detail discrete"},
@@ -69,6 +71,8 @@ constexpr Set kSets[] = {
      "the methods on occlusion queries with frustum culling and two-phase culling"},
     {"faces", "hiz-cells,faces-mask,faces-cluster,faces-tree,faces-cone",
      "the tests of back faces and the same without, by pixel error"},
+    {"object-space", "frustum,hiz,planar,solid",
+     "the methods that know their occluders before the frame with frustum culling and two-phase culling"},
     {"all", "frustum,hom-depth,hiz,hiz-cells,hiz-coverage,hiz-lv-error,default,calm,hom+lv,tessellation",
      "one configuration of each kind"},
 };

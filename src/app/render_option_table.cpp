@@ -287,6 +287,53 @@ std::vector<RenderOption> queryOrderRows() {
   };
 }
 
+ChoiceValue capChoice() {
+  using culling::Cap;
+  return {[](const Options& o) { return std::string(o.frameOptions.occluders.cap == Cap::kPaper ? "paper" : "exact"); },
+          [](Options& o, std::string_view name) {
+            o.frameOptions.occluders.cap = name == "paper" ? Cap::kPaper : Cap::kExact;
+          },
+          {"exact", "paper"}};
+}
+
+ChoiceValue rankChoice() {
+  using culling::Rank;
+  return {[](const Options& o) {
+            return std::string(o.frameOptions.occluders.rank == Rank::kPaper ? "paper" : "solid-angle");
+          },
+          [](Options& o, std::string_view name) {
+            o.frameOptions.occluders.rank = name == "paper" ? Rank::kPaper : Rank::kSolidAngle;
+          },
+          {"solid-angle", "paper"}};
+}
+
+/// Options of the modes that cast shadows (docs/object_space_occlusion.md). None changes the picture.
+std::vector<RenderOption> occluderRows() {
+  return {
+      {"--active", "active occluders", "occluders",
+       onlyWith(&CullModeRow::castsShadows) +
+           "test objects against so many occluders, those that cover most of the view",
+       OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.occluders.active; }, 0,
+                  culling::kMostActive},
+       modesWith(&CullModeRow::castsShadows), modeHas<&CullModeRow::castsShadows>},
+      {"--rank-every", "ranking interval", "frames",
+       onlyWith(&CullModeRow::castsShadows) + "choose the occluders anew after so many frames", OptionGroup::kCulling,
+       CountValue{[](Options& o) -> std::uint32_t& { return o.frameOptions.occluders.rankEvery; }, 1, 1000},
+       modesWith(&CullModeRow::castsShadows), modeHas<&CullModeRow::castsShadows>},
+      {"--rank", "ranking", "",
+       onlyWith(&CullModeRow::castsShadows) +
+           "choose occluders by the solid angle that they cover, or by the published formulas, which depend on the "
+           "unit of length",
+       OptionGroup::kCulling, rankChoice(), modesWith(&CullModeRow::castsShadows), modeHas<&CullModeRow::castsShadows>},
+      {"--cap", "cap of a shadow", "",
+       onlyWith(&CullModeRow::castsShadows) +
+           "begin the shadow of a solid at its front faces, or at the published plane behind its silhouette, which "
+           "hides less",
+       OptionGroup::kCulling, capChoice(), modesWith(&CullModeRow::castsShadows), modeHas<&CullModeRow::castsShadows>},
+  };
+}
+
 std::vector<RenderOption> levelRows() {
   return {
       {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
@@ -412,7 +459,7 @@ std::vector<RenderOption> viewRows() {
 
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
-  for (std::vector<RenderOption>& some : std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(),
+  for (std::vector<RenderOption>& some : std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(), occluderRows(),
                                                     levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));

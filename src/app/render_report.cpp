@@ -98,6 +98,9 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
     text += fmt::format("  queries   {:>13}   waits {}, round trips {}, state changes {}, draw calls {}\n",
                         grouped(s.queries), grouped(s.queryWaits), grouped(s.queryRoundTrips), grouped(s.querySwitches),
                         grouped(s.sliceDraws));
+  if (s.shadows > 0)
+    text += fmt::format("  shadows   {:>13}   nodes {}, plane tests {}, decided in {:.2f} ms\n", s.shadows,
+                        grouped(s.nodesVisited), grouped(s.planeTests), 1e-6 * static_cast<double>(s.decisionNs));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
   if (s.facesTested + s.facesWhole > 0)

@@ -41,6 +41,7 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"query_round_trips", &render::FrameStatistics::queryRoundTrips},
     {"query_switches", &render::FrameStatistics::querySwitches},
     {"slices", &render::FrameStatistics::slices},
+    {"shadows", &render::FrameStatistics::shadows},
     {"nodes_visited", &render::FrameStatistics::nodesVisited},
     {"plane_tests", &render::FrameStatistics::planeTests},
     {"query_decision_ns", &render::FrameStatistics::decisionNs},

@@ -114,6 +114,18 @@ constexpr CullModeRow kModes[] = {
      .countsSamples = true,
      .batchesQueries = true,
      .help = "query-batch with counts that only the GPU reads; waits for nothing"},
+    {.name = "planar",
+     .id = CullMode::kPlanar,
+     .culls = true,
+     .conservative = true,
+     .castsShadows = true,
+     .help = "shadows of the occluders that the file has, face by face; no depth is read"},
+    {.name = "solid",
+     .id = CullMode::kSolid,
+     .culls = true,
+     .conservative = true,
+     .castsShadows = true,
+     .help = "planar with whole convex solids, which hide more than their faces"},
 };
 static_assert(policy::isInOrder(kModes));
 

@@ -24,6 +24,9 @@ enum class CullMode : gpu::uint {
   kEyeSiding,         ///< units of equal eye-siding over a loose grid
   kQueryConditional,  ///< batches, drawn by conditional rendering
   kQueryBuffer,       ///< batches whose counts only kernels read
+  // Shadows of occluders that are known before the frame (docs/object_space_occlusion.md).
+  kPlanar,  ///< of convex polygons (Hudson et al. 1997)
+  kSolid,   ///< of convex solids and polygons
 };
 
 /// One row of the table. Every property of a mode stands here and nowhere else.
@@ -43,6 +46,7 @@ struct CullModeRow {
   bool batchesQueries = false;  ///< with asksQueries: --query-batch applies
   bool joinsQueries = false;    ///< with asksQueries: --multiquery, --tight-bounds and --requery apply
   bool asksUnits = false;       ///< with asksQueries: --query-units and --plane-depth apply
+  bool castsShadows = false;    ///< occluders of the file hide what lies behind them; decided on the CPU
   float occluderTau = 0.0F;     ///< default of --occluder-tau, pixels; with usesMap
   const char* help;             ///< phrase for --help, panel and docs
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/memory_limit.h"
+#include "culling/occluder_options.h"
 #include "culling/query_options.h"
 #include "policy/face_culling.h"
 #include "policy/frame_policy.h"
@@ -54,8 +55,9 @@ struct FrameOptions : FramePolicy {
   float seconds = 0.0F;
   /// Groups of back faces are left out, in scenes with SceneData::faces and in modes without queries.
   FaceCulling faceCulling = FaceCulling::kOff;
-  culling::QueryOptions queries;  ///< of the modes that ask queries
-  bool skipDraw = false;          ///< leave out what only the picture needs: statistics without a picture
+  culling::QueryOptions queries;       ///< of the modes that ask queries
+  culling::OccluderOptions occluders;  ///< of the modes that cast shadows
+  bool skipDraw = false;               ///< leave out what only the picture needs: statistics without a picture
 };
 
 /// What a renderer allocates and which paths it takes.

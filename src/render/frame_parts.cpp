@@ -84,6 +84,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
               map,
               pyramid,
               queryOptions,
+              occluderOptions,
               queryFigures,
               faces ? &*faces : nullptr,
               faceCulling},
@@ -106,6 +107,7 @@ void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cull
   requestedFaces = options.faceCulling;
   faceCulling = rowOf(options.cullMode).asksQueries ? FaceCulling::kOff : options.faceCulling;
   queryOptions = options.queries;
+  occluderOptions = options.occluders;
   queryFigures = {};
   cullView = makeCullView(options, cullCamera, setting);
   drawView = makeDrawView(options, drawCamera, setting, cullView);

@@ -52,6 +52,7 @@ struct FrameParts {
   gpu::DrawView drawView{};
   CullMode cullMode = CullMode::kFull;             ///< of the last frame
   culling::QueryOptions queryOptions;              ///< of the last frame
+  culling::OccluderOptions occluderOptions;        ///< of the last frame
   culling::QueryFigures queryFigures;              ///< of the last frame
   FaceCulling requestedFaces = FaceCulling::kOff;  ///< of the last frame
   FaceCulling faceCulling = FaceCulling::kOff;     ///< the same; off in modes that ask queries

@@ -52,7 +52,7 @@ void QueryScene::allocate() {
     grid_ = culling::buildGrid(boundsWorld_, *gridOptions_);
   else
     boxes_.emplace(boundsWorld_, culling::HierarchyOptions{kLeafObjects});
-  transforms_.resize(scene_.transforms.size());
+  transforms_ = scene_.transforms;
   chains_.resize(scene_.chains.size());
   setTree();
   allocated_ = true;

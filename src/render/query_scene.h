@@ -1,4 +1,4 @@
-// What the modes with occlusion queries share: the scene in the order of a spatial hierarchy.
+// What the modes with occlusion queries or shadows share: the scene in the order of a spatial hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,10 @@ class QueryScene {
   const culling::SpatialHierarchy& tree() const;
   const culling::LooseGrid* grid() const { return grid_ ? &*grid_ : nullptr; }
   const SliceOrder& order() const { return order_; }
+  std::span<const Aabb> boundsWorld() const { return boundsWorld_; }          ///< by object
+  std::span<const gpu::Transform> transforms() const { return transforms_; }  ///< by gpu::Object::transform
+  /// SceneBuffers::movement of bounds and transforms.
+  std::uint64_t movement() const { return movement_; }
   /// Grows whenever node numbers come to mean other nodes.
   std::uint64_t version() const { return version_; }
   SlicePass& slices() { return slices_; }
@@ -43,7 +47,7 @@ class QueryScene {
   QueryPass queries_;
   bool allocated_ = false;
   std::vector<Aabb> boundsWorld_;           ///< by object
-  std::vector<gpu::Transform> transforms_;  ///< read back
+  std::vector<gpu::Transform> transforms_;  ///< read back once something has moved
   std::vector<gpu::Chain> chains_;          ///< read back
   std::optional<culling::MovingHierarchy> boxes_;
   std::optional<culling::LooseGrid> grid_;

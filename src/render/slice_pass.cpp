@@ -78,8 +78,7 @@ void SlicePass::setOrder(const SliceOrder& order) {
   fill<gpu::uint>(leafOf_, order.leafOf);
 }
 
-void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
-                      const culling::QueryOptions& options) {
+void SlicePass::prepare(const culling::QueryOptions& options) {
   view_.threshold = options.threshold;
   view_.importance = options.importance;
   viewBuffer_.writeValue(view_);
@@ -88,6 +87,11 @@ void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::
     glClearNamedBufferData(samples_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &unknown);
     samplesWritten_ = false;
   }
+}
+
+void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
+                      const culling::QueryOptions& options) {
+  prepare(options);
   const visibility::SceneBindings drawn = scene.drawn();
   const visibility::ObjectBuffers units = decided.drawn();
   units.view->bindUniform(gpu::kBindingCullView);
@@ -117,6 +121,12 @@ void SlicePass::dropHidden(std::span<const gpu::SliceRange> ranges) {
   dropHidden_.use();
   visibility::dispatchGroups(static_cast<std::uint32_t>(ranges.size()));
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void SlicePass::hideKnown(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
+                          std::span<const std::uint32_t> notHidden) {
+  prepare({});
+  hide(scene, decided, notHidden);
 }
 
 void SlicePass::hide(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,

@@ -61,9 +61,17 @@ class SlicePass {
   void hide(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
             std::span<const std::uint32_t> drawn);
 
+  /// The same for a frame that is not drawn in slices: nothing but the bits decides. No begin() is needed.
+  /// @param notHidden  as drawn of hide()
+  void hideKnown(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
+                 std::span<const std::uint32_t> notHidden);
+
   static constexpr std::uint32_t kMostRanges = 8192;
 
  private:
+  /// Writes the view, and makes all samples unknown.
+  void prepare(const culling::QueryOptions& options);
+
   gl::Program sliceCommands_;
   gl::Program dropHidden_;
   gl::Program hideObjects_;

@@ -39,6 +39,8 @@ TEST(Policy, ModesThatCompareWithSomethingTestOcclusion) {
     EXPECT_TRUE(row.asksQueries || !(row.readsBack || row.countsSamples || row.batchesQueries)) << row.name;
     EXPECT_TRUE(row.batchesQueries || !row.joinsQueries) << row.name;
     EXPECT_FALSE(row.asksQueries && row.testsOcclusion) << row.name;
+    EXPECT_FALSE(row.castsShadows && (row.testsOcclusion || row.asksQueries)) << row.name;
+    EXPECT_TRUE(row.culls || !row.castsShadows) << row.name;
   }
 }
 

@@ -160,4 +160,46 @@ asset::SceneFile leafCards(std::uint32_t cards, std::uint32_t spheres, std::uint
   return file;
 }
 
+namespace {
+
+/// Adds a house to the meshes and chains; the ground is y = 0.
+void addHouse(asset::SceneFile& file, Random& random, float larger) {
+  asset::Chain chain{"house", {{static_cast<std::uint32_t>(file.meshes.size()), 0.0F}}};
+  asset::Mesh mesh{"house", {}};
+  const std::uint32_t boxes = 1 + random.below(3);
+  for (std::uint32_t i = 0; i < boxes; ++i) {
+    const glm::vec3 half(random.uniform(1.0F, 4.0F), random.uniform(1.5F, 6.0F), random.uniform(1.0F, 4.0F));
+    const glm::vec3 middle(random.uniform(-1.5F, 1.5F), half.y, random.uniform(-1.5F, 1.5F));
+    mesh.primitives.push_back(box(half));
+    for (glm::vec3& position : mesh.primitives.back().positions)
+      position += middle;
+    chain.occluders.push_back({solidOf({middle - larger * half, middle + larger * half}), 1});
+  }
+  file.meshes.push_back(std::move(mesh));
+  file.chains.push_back(std::move(chain));
+}
+
+}  // namespace
+
+asset::SceneFile town(std::uint32_t houses, std::uint32_t spheres, std::uint64_t seed, float larger,
+                      std::uint32_t sphereLevels) {
+  constexpr float kInside = 0.45F;  // half the side of a cube in the coarsest level
+  asset::SceneFile file = sphereChain(4);
+  file.chains[0].occluders = {{solidOf({glm::vec3(-kInside), glm::vec3(kInside)}), sphereLevels}};
+  file.meshes.push_back({"ground", {box({60.0F, 0.1F, 60.0F})}});
+  file.chains.push_back({"ground", {{static_cast<std::uint32_t>(file.meshes.size() - 1), 0.0F}}});
+  addInstance(file, 1, {0, -0.1F, 0}, glm::vec3(1));
+  Random random(seed);
+  for (std::uint32_t i = 0; i < houses; ++i) {
+    addHouse(file, random, larger);
+    const glm::vec3 scale((random.below(3) == 0 ? -1.0F : 1.0F) * random.uniform(0.7F, 1.5F),
+                          random.uniform(0.7F, 2.0F), random.uniform(0.7F, 1.5F));
+    addInstance(file, 2 + i, {random.uniform(-30, 30), 0, random.uniform(-30, 30)}, scale, random.uniform(0, 6));
+  }
+  for (std::uint32_t i = 0; i < spheres; ++i)
+    addInstance(file, 0, {random.uniform(-35, 35), random.uniform(0.2F, 3.0F), random.uniform(-35, 35)},
+                glm::vec3(random.uniform(0.2F, 1.0F)), random.uniform(0, 6));
+  return file;
+}
+
 }  // namespace jalousie::test

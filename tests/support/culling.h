@@ -61,4 +61,11 @@ asset::SceneFile groundPlane(std::uint32_t count, std::uint64_t seed);
 /// Walls of masked leaf cards whose texture has single-texel holes, and spheres behind and between them.
 asset::SceneFile leafCards(std::uint32_t cards, std::uint32_t spheres, std::uint64_t seed);
 
+// Scenes with occluders.
+/// Houses of one to three boxes, some turned, mirrored and stretched, with their boxes as occluders; spheres of four
+/// levels between and in them, with an occluder that lies inside of the first `sphereLevels`.
+/// @param larger  by which the houses' occluders are scaled
+asset::SceneFile town(std::uint32_t houses, std::uint32_t spheres, std::uint64_t seed, float larger = 1.0F,
+                      std::uint32_t sphereLevels = 4);
+
 }  // namespace jalousie::test

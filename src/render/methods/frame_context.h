@@ -1,6 +1,7 @@
 // What a culling method works with while it decides one frame.
 #pragma once
 
+#include "culling/occluder_options.h"
 #include "culling/query_figures.h"
 #include "culling/query_options.h"
 #include "gl/pass_timer.h"
@@ -43,12 +44,13 @@ struct FrameContext {
   visibility::DrawList& late;   ///< objects flagged kMarkLate
   DrawPass& draw;
   const Targets& targets;
-  visibility::OcclusionMapPass& map;          ///< shared by the methods that use a map
-  visibility::DepthPyramidPass& pyramid;      ///< shared by the methods that use depth
-  const culling::QueryOptions& queryOptions;  ///< of the present frame
-  culling::QueryFigures& queryFigures;        ///< the method of the present frame writes them
-  FaceParts* faces;                           ///< null if the scene has no groups of triangles
-  const FaceCulling& faceCulling;             ///< of the present frame
+  visibility::OcclusionMapPass& map;                ///< shared by the methods that use a map
+  visibility::DepthPyramidPass& pyramid;            ///< shared by the methods that use depth
+  const culling::QueryOptions& queryOptions;        ///< of the present frame
+  const culling::OccluderOptions& occluderOptions;  ///< of the present frame
+  culling::QueryFigures& queryFigures;              ///< the method of the present frame writes them
+  FaceParts* faces;                                 ///< null if the scene has no groups of triangles
+  const FaceCulling& faceCulling;                   ///< of the present frame
 
   /// Fills a list with the objects that the flags put on it, without their back faces where groups of them are culled.
   void buildList(visibility::DrawList& list, const char* pass) const;

@@ -8,12 +8,14 @@
 #include "render/methods/hom/hom_method.h"
 #include "render/methods/hom_depth/hom_depth_method.h"
 #include "render/methods/queries/query_method.h"
+#include "render/methods/shadows/shadow_method.h"
 
 namespace jalousie::render {
 namespace {
 
 /// What several methods share.
 struct SharedParts {
+  const scene::SceneData& scene;
   std::shared_ptr<QueryScene> boxes;   ///< the scene over a bounding volume hierarchy
   std::shared_ptr<QueryScene> grid;    ///< over a loose grid
   std::shared_ptr<QueryScene> nested;  ///< and over nested grids
@@ -50,6 +52,10 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared)
       return query(culling::QueryMethod::kDeferred);
     case CullMode::kQueryBuffer:
       return std::make_unique<QueryMethod>(shared.boxes, culling::QueryMethod::kDeferred, DeferredDrawing::kBuffer);
+    case CullMode::kPlanar:
+      return std::make_unique<ShadowMethod>(shared.scene, shared.boxes, culling::OccluderUse::kPolygons);
+    case CullMode::kSolid:
+      return std::make_unique<ShadowMethod>(shared.scene, shared.boxes, culling::OccluderUse::kSolids);
   }
   return nullptr;
 }
@@ -60,8 +66,8 @@ MethodTable::MethodTable(const MethodInputs& inputs) {
   const auto overGrid = [&](culling::QueryMethod method) {
     return std::make_shared<QueryScene>(inputs, culling::gridOptions(method));
   };
-  const SharedParts shared{std::make_shared<QueryScene>(inputs), overGrid(culling::QueryMethod::kSiblings),
-                           overGrid(culling::QueryMethod::kSlabs)};
+  const SharedParts shared{inputs.scene, std::make_shared<QueryScene>(inputs),
+                           overGrid(culling::QueryMethod::kSiblings), overGrid(culling::QueryMethod::kSlabs)};
   for (const CullModeRow& row : cullModeTable()) {
     std::unique_ptr<CullMethod> method = makeMethod(row.id, shared);
     const bool known = method != nullptr;

@@ -13,8 +13,9 @@ TEST_F(MethodContractGl, FiguresAgreeWithTheRow) {
     FrameRenderer renderer(scene_, kMethodWidth, kMethodHeight);
     const FrameStatistics statistics = settle(renderer, row.id);
     EXPECT_EQ(statistics.culledFrustum > 0, row.culls) << row.name;
-    EXPECT_EQ(statistics.culledOcclusion > 0, row.testsOcclusion || row.asksQueries) << row.name;
+    EXPECT_EQ(statistics.culledOcclusion > 0, row.testsOcclusion || row.asksQueries || row.castsShadows) << row.name;
     EXPECT_EQ(statistics.queries > 0, row.asksQueries) << row.name;
+    EXPECT_EQ(statistics.shadows > 0, row.castsShadows) << row.name;
     EXPECT_EQ(statistics.queryWaits > 0, row.readsBack) << row.name;
     EXPECT_EQ(statistics.occluders > 0, row.usesMap) << row.name;
     EXPECT_EQ(statistics.drawnEarly > 0, row.twoPhases) << row.name;

@@ -16,8 +16,15 @@ inline constexpr std::uint32_t kMethodHeight = 180;
 class MethodGl : public test::GlTest {
  protected:
   MethodGl()
-      : scene_(scene::buildScene(test::randomSpheres(400, 6.0F, 21))),
+      : scene_(scene::buildScene(spheresWithOccluders())),
         camera_(scene::lookAt({0, 0, 7}, {0.5F, 0, 0}, scene_.boundsWorld)) {}
+
+  /// Spheres with a cube in each that lies inside of all levels.
+  static asset::SceneFile spheresWithOccluders() {
+    asset::SceneFile file = test::randomSpheres(400, 6.0F, 21);
+    file.chains[0].occluders = {{solidOf({glm::vec3(-0.45F), glm::vec3(0.45F)}), 4}};
+    return file;
+  }
 
   /// Levels by screen-space error alone, so that modes can be compared.
   static FrameOptions options(CullMode mode) {
