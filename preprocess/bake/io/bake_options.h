@@ -22,6 +22,7 @@ struct BakeOptions {
   bool sceneBudget = true;          ///< ratios hold for all meshes together; not for the preset draft
   bool quantized = false;           ///< the document is quantised later: targets of error leave room for its rounding
   std::vector<glm::vec3> locked;    ///< places of vertices that stay, ascending; object space of the one mesh
+  bool occluders = false;           ///< find convex solids inside closed meshes
   bool keepUnused = false;          ///< keep attributes that no material uses in every level
   ScreenTolerance screen;           ///< for MSFT_screencoverage
   CellOptions cells;

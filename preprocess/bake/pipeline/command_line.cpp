@@ -366,6 +366,9 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
   addMeshOptions(program, result.bake);
   addCellOption(program, result.bake.cells);
   addFaceOption(program, result.bake.faces);
+  program.add_flag("--occluders", result.bake.occluders,
+                   "Find convex occluders for jalousie render --mode solid and planar: up to three boxes inside each "
+                   "closed opaque mesh, at all its levels, else up to four large flat rectangles of LOD 0");
   program.add_flag("--quantize", result.quantize,
                    "Store positions in 16, normals in 8 and texture coordinates in 16 bits (KHR_mesh_quantization)");
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");

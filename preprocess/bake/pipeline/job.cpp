@@ -9,6 +9,7 @@
 
 #include "asset/gltf_quantize.h"
 #include "bake/io/bake_document.h"
+#include "bake/io/bake_occluders.h"
 #include "bake/io/import.h"
 #include "bake/io/read_back.h"
 #include "bake/pipeline/cache.h"
@@ -79,6 +80,7 @@ CacheEntry bake(const BakeJob& job, const JobSettings& settings, std::vector<Rea
     entry.sheet.assign(bytes.begin(), bytes.end());
   }
   if (settings.quantize) asset::quantizeModel(model);
+  bakeOccluders(model, settings.bake);
   entry.output = asset::encodeGlb(std::move(model), {settings.compress});
   requireReadable(entry.output, job.output);
   noteMeshes(reports, notes);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "asset/mesh_occluders.h"
 #include "asset/triangle_count.h"
 #include "bake/io/level_nodes.h"
 #include "bake/report/percent.h"
@@ -138,6 +139,28 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   return json;
 }
 
+/// One line for each occluder.
+std::string occludersText(const InspectedChain& chain) {
+  std::string text;
+  for (const asset::Occluder& occluder : chain.occluders) {
+    const glm::vec3 extent = boundsOf(occluder.solid).extent();
+    text +=
+        fmt::format("  occluder: {} of {} faces, {:.3g} x {:.3g} x {:.3g}, inside {} of {} levels\n",
+                    occluder.solid.isPolygon() ? "polygon" : "solid", occluder.solid.faces.size(), extent.x, extent.y,
+                    extent.z, std::min<std::size_t>(occluder.levels, chain.levels.size()), chain.levels.size());
+  }
+  return text;
+}
+
+ordered_json occluderJson(const asset::Occluder& occluder) {
+  const Aabb box = boundsOf(occluder.solid);
+  return {{"vertices", occluder.solid.vertices.size()},
+          {"faces", occluder.solid.faces.size()},
+          {"levels", occluder.levels},
+          {"min", {box.min.x, box.min.y, box.min.z}},
+          {"max", {box.max.x, box.max.y, box.max.z}}};
+}
+
 }  // namespace
 
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
@@ -155,6 +178,7 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
       chain.levels.push_back(inspectMesh(model, model.nodes[static_cast<std::size_t>(lower)].mesh));
     chain.coverage = asset::lodCoverage(node);
     chain.endsInNothing = asset::emptyLevel(model, static_cast<int>(n)) >= 0;
+    chain.occluders = asset::meshOccluders(model.meshes[static_cast<std::size_t>(node.mesh)]);
   }
   std::erase_if(chains, [](const InspectedChain& chain) { return chain.nodes == 0; });
   return chains;
@@ -171,6 +195,7 @@ std::string inspectText(const std::vector<InspectedChain>& chains) {
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       text += levelText(chain, k);
     const auto& last = chain.levels.back().info;
+    text += occludersText(chain);
     if (last && last->measures && !last->measures->stop.empty()) text += "  " + last->measures->stop + "\n";
   }
   return text.empty() ? "no mesh is in use\n" : text;
@@ -181,6 +206,8 @@ std::string inspectJson(const std::vector<InspectedChain>& chains) {
   json["chains"] = ordered_json::array();
   for (const InspectedChain& chain : chains) {
     ordered_json entry = {{"name", chain.name}, {"nodes", chain.nodes}, {"ends_in_nothing", chain.endsInNothing}};
+    for (const asset::Occluder& occluder : chain.occluders)
+      entry["occluders"].push_back(occluderJson(occluder));
     entry["levels"] = ordered_json::array();
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       entry["levels"].push_back(levelJson(chain, k));

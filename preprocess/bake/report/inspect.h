@@ -10,6 +10,7 @@
 
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
+#include "asset/scene_types.h"
 
 namespace jalousie::bake {
 
@@ -44,6 +45,7 @@ struct InspectedChain {
   std::vector<InspectedLevel> levels;
   std::vector<float> coverage;  ///< MSFT_screencoverage, may be empty
   bool endsInNothing = false;   ///< the last level shows nothing; it is none of the levels
+  std::vector<asset::Occluder> occluders;
 };
 
 /// Chains by the meshes of their LOD 0, in the order of the meshes.
@@ -52,8 +54,9 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
 /// One table per chain; '-' for figures that the file does not store.
 std::string inspectText(const std::vector<InspectedChain>& chains);
-/// {"chains": [{"name", "nodes", "ends_in_nothing", "levels": [{"lod", "triangles", "vertices", "screen_coverage",
-///   and, where the file says, "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
+/// {"chains": [{"name", "nodes", "ends_in_nothing", "occluders": [{"vertices", "faces", "levels", "min", "max"}] (where
+///   there are any), "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file says,
+///   "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
 ///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
 ///   "stop", "cells": {"count", "filled", "largest", "mean"},
 ///   "faces": {"kind", "groups", "triangles", "largest"}}]}]}
