@@ -625,6 +625,28 @@ group('faces', 5, damaged(grouped), [
   ['tree-across-cells', 'a tree has groups of two cells', { [`${facesOf(0)}/trees/0`]: [0, 1, 2] }],
   ['older-format', 'a file of format 4 has a key of a later format', { ...Object.fromEntries(
     [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 4])), [facesOf(0)]: 7 }, 0],
+// Occluders -----------------------------------------------------------------------
+
+const OCCLUDERS = '/meshes/0/extras/jalousie_occluders';
+const tetrahedron = (changes = {}) => [{
+  vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], levels: 2,
+  ...changes,
+}];
+const withOccluder = (changes) => ({ [OCCLUDERS]: tetrahedron(changes) });
+
+group('occluders', 5, damaged(divided), [
+  ['valid', 'a tetrahedron in the mesh', withOccluder(), 0],
+  ['number', 'the list is a number', { [OCCLUDERS]: 3 }],
+  ['entry-string', 'an occluder is a string', { [OCCLUDERS]: ['box'] }],
+  ['vertex-1e39', 'a coordinate is beyond 32-bit numbers', withOccluder({ vertices: [[0, 0, 0], [1e39, 0, 0], [0, 1, 0], [0, 0, 1]] })],
+  ['corner-99', 'a face has a vertex that does not exist', withOccluder({ faces: [[0, 2, 1], [0, 1, 99], [0, 3, 2], [1, 2, 3]] })],
+  ['corner-2-32', 'a corner is right modulo 2^32', withOccluder({ faces: [[4294967296, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] })],
+  ['open', 'a face is missing', withOccluder({ faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2]] })],
+  ['inside-out', 'the faces look inwards', withOccluder({ faces: [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]] })],
+  ['vertices-many', 'there are 33 vertices', withOccluder({ vertices: Array(33).fill([0, 0, 0]) })],
+  ['levels-negative', 'the number of levels is negative', withOccluder({ levels: -1 })],
+  ['sides-string', 'bothSides is a string', withOccluder({ bothSides: 'yes' })],
+  ['outside', 'the occluder reaches out of the mesh', withOccluder({ vertices: [[0, 0, 0], [9, 0, 0], [0, 1, 0], [0, 0, 1]] })],
 ]);
 
 const INSTANCING = '/nodes/5/extensions/EXT_mesh_gpu_instancing';
