@@ -75,6 +75,11 @@ OccluderShape::OccluderShape(ConvexSolid convex) : solid(std::move(convex)) {
   }
 }
 
+WorldOccluder::WorldOccluder() {
+  vertices_.reserve(ConvexSolid::kMostVertices);
+  faces_.reserve(ConvexSolid::kMostFaces);
+}
+
 bool WorldOccluder::placeFace(const std::vector<std::uint32_t>& corners, bool mirrors) {
   const glm::dvec3 normal = (mirrors ? -1.0 : 1.0) * normalOf(vertices_, corners);
   const double length = glm::length(normal);
@@ -93,8 +98,6 @@ void WorldOccluder::place(const OccluderShape& shape, const glm::dmat4& worldFro
   shape_ = &shape;
   vertices_.clear();
   faces_.clear();
-  vertices_.reserve(ConvexSolid::kMostVertices);
-  faces_.reserve(ConvexSolid::kMostFaces);
   center_ = glm::dvec3(0.0);
   radius_ = 0.0;
   for (const glm::vec3& v : shape.solid.vertices) {

@@ -56,7 +56,10 @@ struct OccluderShape {
 /// An occluder in the world.
 class WorldOccluder {
  public:
-  /// Takes a shape to its place. Allocates nothing after the first time. @param shape  outlives the occluder
+  /// At no place yet: place() comes first.
+  WorldOccluder();
+
+  /// Takes a shape to its place. Allocates nothing. @param shape  outlives the occluder
   /// @param worldFromObject  affine; may mirror. A face without area in the world makes an occluder that hides nothing
   void place(const OccluderShape& shape, const glm::dmat4& worldFromObject);
 

@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <glm/gtc/matrix_transform.hpp>
 #include <new>
 
 #include "core/random.h"
 #include "culling/hierarchy.h"
 #include "culling/loose_grid.h"
+#include "culling/occluder_culling.h"
 #include "culling/schedule_table.h"
 #include "scene/camera.h"
 
@@ -109,6 +111,46 @@ TEST(Allocation, FramesAllocateNothing) {
     }
     EXPECT_EQ(allocated, 0U) << "method " << static_cast<int>(method);
     EXPECT_GT(device.figures().queries, 20U);
+  }
+}
+
+/// Occluders of boxes that move: followed, chosen, cast and tested.
+TEST(Allocation, ShadowsAllocateNothing) {
+  scene::SceneData scene;
+  gpu::Chain& chain = scene.chains.emplace_back();
+  chain.boundsMinObject = glm::vec4(-1.0F);
+  chain.boundsMaxObject = glm::vec4(1.0F);
+  scene.occluders.push_back({solidOf({glm::vec3(-1.0F), glm::vec3(1.0F)}), 0, true});
+  Random random(4);
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const glm::vec3 place(random.uniform(-30, 30), random.uniform(-5, 5), random.uniform(-30, 30));
+    scene.objects.push_back({0, i, i, i});
+    scene.transforms.push_back(scene::makeTransform(glm::translate(glm::mat4(1.0F), place)));
+  }
+  const std::vector<Aabb> boxes = worldBounds(scene.objects, scene.chains, scene.transforms);
+  const SpatialHierarchy tree = buildHierarchy(boxes);
+  const glm::uvec2 viewport(640, 360);
+  const scene::Camera camera = scene::lookAt({40, 0, 4}, glm::vec3(0), {glm::vec3(-30), glm::vec3(30)});
+  const QueryView view =
+      makeQueryView(scene::clipFromWorld(camera, 1.6F), glm::vec4(camera.positionWorld(), camera.zNear),
+                    glm::vec4(camera.forwardWorld(), 0.0F), scene::focalPixels(camera, viewport), viewport);
+  for (const OccluderUse use : {OccluderUse::kSolids, OccluderUse::kPolygons}) {
+    OccluderTable table(scene, use);
+    ActiveSet active(table.placed().size());
+    OccluderCulling culling(tree.nodes.size(), tree.objects.size());
+    QueryFigures figures;
+    const std::uint64_t before = allocations;
+    for (const Cap cap : {Cap::kExact, Cap::kPaper}) {
+      for (const Rank rank : {Rank::kSolidAngle, Rank::kPaper}) {
+        table.follow(scene.objects, scene.transforms);
+        const OccluderOptions options{.active = kMostActive, .cap = cap, .rank = rank};
+        const auto shadows = active.cast(view, options, {table, scene.objects, scene.transforms, boxes});
+        EXPECT_GT(shadows.size(), 10U);
+        culling.cull(tree, view, shadows, figures);
+      }
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(figures.planeTests, 1000U);
   }
 }
 

@@ -124,5 +124,34 @@ TEST_F(CullingSlowGl, Thesis10001) {
   thesisScene("thesis-10001");
 }
 
+/// Towns with occluders, every fourth far from the origin, every second with moving houses and objects; cameras around
+/// them, between and in houses, turning, and at cuts.
+TEST_F(CullingSlowGl, ShadowsOfTwoHundredTownsLoseNoPixel) {
+  for (const CullModeRow& row : cullModeTable()) {
+    if (!row.castsShadows) continue;
+    test::CullingLoss sum;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      asset::SceneFile file = test::town(10 + static_cast<std::uint32_t>(seed % 31), 150, seed);
+      if (seed % 4 == 3)
+        for (asset::Instance& instance : file.instances)
+          instance.worldFromObject[3] += glm::vec4(20000.0F, 0.0F, -7000.0F, 0.0F);
+      test::Journey town{"town", scene::buildScene(file), {}, {}};
+      town.camera = test::tour(town.scene, 1, seed);
+      if (seed % 2 == 1) town.move = test::swingObjects(town.scene, 3);
+      FrameOptions options = test::pixelErrorOptions();
+      options.cullMode = row.id;
+      options.occluders.rankEvery = seed % 5 == 0 ? 3 : 1;
+      const test::CullingLoss loss = test::countLoss(town, 240, 135, options, 0, 4);
+      EXPECT_EQ(loss.wrongPixels, 0U) << row.name << ", town " << seed;
+      EXPECT_EQ(loss.differentDepths, 0U) << row.name << ", town " << seed;
+      sum.frames += loss.frames;
+      sum.culled += loss.culled;
+    }
+    std::printf("%s: %llu frames, %llu objects culled\n", row.name, static_cast<unsigned long long>(sum.frames),
+                static_cast<unsigned long long>(sum.culled));
+    EXPECT_GT(sum.culled, 2000U) << row.name;
+  }
+}
+
 }  // namespace
 }  // namespace jalousie::render
