@@ -14,6 +14,7 @@
 #include "asset/accessor.h"
 #include "asset/accessor_layout.h"
 #include "asset/gltf_validate.h"
+#include "asset/mesh_occluders.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -126,6 +127,7 @@ class MeshCheck {
         checkAttributes(target, mesh, true, vertices);
       if (primitive.indices >= 0) checkIndices(primitive.indices, mesh, vertices.value_or(0));
     }
+    checkOccluders(mesh);
   }
 
   /// Joints of a mesh that a node shows with a skin. @param joints  of the skin
@@ -151,6 +153,29 @@ class MeshCheck {
                               accessor.count));
       vertices = accessor.count;
       if (name.starts_with("WEIGHTS_") && weights_.insert(index).second) checkWeights(index, mesh);
+    }
+  }
+
+  void checkOccluders(std::size_t mesh) const {
+    const std::vector<Occluder> occluders = meshOccluders(model_.meshes[mesh]);
+    if (occluders.empty()) return;
+    Aabb bounds;
+    for (const tinygltf::Primitive& primitive : model_.meshes[mesh].primitives) {
+      const auto position = primitive.attributes.find("POSITION");
+      if (position == primitive.attributes.end()) continue;
+      if (accessorAt(model_, position->second).bufferView < 0) bounds.add(glm::vec3(0.0F));
+      glm::vec3 point(0.0F);
+      int axis = 0;
+      visitComponents(model_, position->second, [&](float coordinate) {
+        point[axis] = coordinate;
+        axis = (axis + 1) % 3;
+        if (axis == 0) bounds.add(point);
+      });
+    }
+    try {
+      requireWithin(occluders, bounds);
+    } catch (const Error& error) {
+      malformed(fmt::format("mesh {}: {}", mesh, error.what()));
     }
   }
 

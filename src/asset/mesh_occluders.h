@@ -20,7 +20,8 @@ inline constexpr std::size_t kMostOccluders = 256;  ///< of a mesh
 void setOccluders(tinygltf::Mesh& mesh, std::span<const Occluder> occluders);
 /// Reads them back; empty if absent. Errors: kMalformed (wrong types, too many, faultOf).
 std::vector<Occluder> meshOccluders(const tinygltf::Mesh& mesh);
-/// Errors: kMalformed where a vertex lies outside of the box of the mesh by more than a ten-thousandth of its diagonal.
+/// Errors: kMalformed where a vertex lies outside of a mesh by more than a ten-thousandth of its diagonal.
+/// @param meshBounds  of all positions of the mesh
 void requireWithin(std::span<const Occluder> occluders, const Aabb& meshBounds);
 
 }  // namespace jalousie::asset

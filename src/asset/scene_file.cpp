@@ -175,21 +175,10 @@ class SceneReader {
     return index;
   }
 
-  /// Occluders stay where they are, and so those of a mesh that is posed or bent are checked and left out.
+  /// Occluders stay where they are, and so those of a mesh that is posed or bent are left out.
   std::vector<Occluder> occludersOf(const ShownMesh& finest, const Chain& chain) const {
-    std::vector<Occluder> occluders = meshOccluders(model_.meshes[static_cast<std::size_t>(finest.mesh)]);
-    if (occluders.empty() || chain.levels.empty()) return {};
-    Aabb bounds;
-    for (const Primitive& primitive : scene_.meshes[chain.levels[0].mesh].primitives)
-      for (const glm::vec3& position : primitive.positions)
-        bounds.add(position);
-    if (finest.posedNode >= 0) return {};
-    try {
-      requireWithin(occluders, bounds);
-    } catch (const Error& error) {
-      throw Error(error.code(), fmt::format("mesh {}: {}", finest.mesh, error.what()));
-    }
-    return occluders;
+    if (finest.posedNode >= 0 || chain.levels.empty()) return {};
+    return meshOccluders(model_.meshes[static_cast<std::size_t>(finest.mesh)]);
   }
 
   /// Index of the chain; nullopt if it has no level.

@@ -70,7 +70,7 @@ TEST(MeshOccluders, ReachTheFlattenedScene) {
 
 TEST(MeshOccluders, OutsideOfTheMeshTheyAreRefused) {
   const Occluder outside{solidOf({{0, 0, 0}, {1, 2.5F, 0.5F}}), 1};
-  EXPECT_EQ(test::codeOf([&] { readScene(tetrahedron({outside}), "occluders.glb"); }), ErrorCode::kMalformed);
+  EXPECT_EQ(test::codeOf([&] { throughFile(tetrahedron({outside})); }), ErrorCode::kMalformed);
 }
 
 TEST(MeshOccluders, LevelsMayBeAbsentAndBothSidesToo) {

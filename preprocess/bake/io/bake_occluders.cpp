@@ -10,7 +10,6 @@
 #include "asset/lod_chain.h"
 #include "asset/mesh_occluders.h"
 #include "bake/io/level_nodes.h"
-#include "bake/io/prepared_mesh.h"
 #include "bake/mesh/facets.h"
 #include "bake/mesh/inner_boxes.h"
 
@@ -62,19 +61,6 @@ MeshSurface surfaceOf(const Model& model, const tinygltf::Mesh& mesh, const asse
       result.isWhole = false;
   }
   return result;
-}
-
-/// Errors: kMalformed if an occluder reaches out of a mesh.
-void requireInMesh(const Model& model, const tinygltf::Mesh& mesh, const std::vector<asset::Occluder>& occluders,
-                   const asset::Limits& limits) {
-  Aabb bounds;
-  for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    const auto position = primitive.attributes.find("POSITION");
-    if (position == primitive.attributes.end()) continue;
-    for (const glm::vec3& p : asset::readVec3(model, position->second, limits.maxAccessorElements))
-      bounds.add(p);
-  }
-  asset::requireWithin(occluders, bounds);
 }
 
 /// The first levels of a chain whose surfaces are closed, and the opaque part of LOD 0.
@@ -141,8 +127,6 @@ void bakeOccluders(tinygltf::Model& model, const BakeOptions& options) {
     if (options.subdivide > 0 || options.weld > 0.0) occluders.clear();
     for (asset::Occluder& occluder : occluders)
       occluder.levels = std::min(occluder.levels, 1U);
-    named(model, static_cast<std::size_t>(mesh),
-          [&] { requireInMesh(model, model.meshes[static_cast<std::size_t>(mesh)], occluders, options.limits); });
     if (options.occluders) {
       const ChainSurfaces surfaces = surfacesOf(model, static_cast<int>(n), options.limits);
       if (occluders.empty())
