@@ -459,8 +459,9 @@ std::vector<RenderOption> viewRows() {
 
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
-  for (std::vector<RenderOption>& some : std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(), occluderRows(),
-                                                    levelRows(), calmRows(), detailRows(), drawingRows(), viewRows()})
+  for (std::vector<RenderOption>& some :
+       std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(), occluderRows(), levelRows(), calmRows(),
+                  detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;
