@@ -52,8 +52,10 @@ tinygltf::Model twoSpheres() {
   return model;
 }
 
-std::vector<MeshReport> bakeWith(tinygltf::Model& model, const CellOptions& cells, std::uint32_t levels = 5) {
+std::vector<MeshReport> bakeWith(tinygltf::Model& model, const CellOptions& cells, std::uint32_t levels = 5,
+                                 asset::FaceGrouping faces = asset::FaceGrouping::kOff) {
   BakeOptions options;
+  options.faces = faces;
   options.chain.levels = levels;
   options.chain.samples = 500;
   options.cells = cells;
@@ -126,6 +128,33 @@ TEST(BakedCells, EveryTriangleOfTheUndividedBakeIsThereOnceAndNoOther) {
     }
   }
   EXPECT_TRUE(differs) << "the order is another one";
+}
+
+TEST(BakedFaces, AreGroupsOfTheSameTrianglesWithinTheirCells) {
+  for (const CellOptions& cells : {CellOptions{0, true}, CellOptions{256, false}}) {
+    const asset::SceneFile plain = sceneWith(cells);
+    for (const asset::FaceGrouping faces : {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters}) {
+      tinygltf::Model model = twoSpheres();
+      model.materials[1].doubleSided = true;
+      EXPECT_GT(bakeWith(model, cells, 5, faces).at(0).faceGroups, 20U);
+      const std::vector<std::byte> file = asset::encodeGlb(model);
+      tinygltf::Model again = twoSpheres();
+      again.materials[1].doubleSided = true;
+      bakeWith(again, cells, 5, faces);
+      EXPECT_EQ(asset::encodeGlb(again), file) << "two bakes write the same bytes";
+      const asset::SceneFile grouped = asset::readScene(asset::parseGltf(file, "baked.glb"), "baked.glb");
+      for (std::size_t m = 0; m < 5; ++m) {
+        for (std::size_t p = 0; p < plain.meshes[m].primitives.size(); ++p) {
+          const asset::Primitive& a = plain.meshes[m].primitives[p];
+          const asset::Primitive& b = grouped.meshes[m].primitives[p];
+          EXPECT_TRUE(a.faceTree.empty());
+          EXPECT_EQ(b.faceTree.empty(), b.material == 1) << "double-sided triangles are left whole";
+          EXPECT_EQ(a.cellEnds, b.cellEnds);
+          EXPECT_EQ(trianglesOf(a), trianglesOf(b)) << m << " " << p;
+        }
+      }
+    }
+  }
 }
 
 TEST(BakedCells, AreThoseOfTheTreeOverAllPrimitives) {
