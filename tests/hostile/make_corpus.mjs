@@ -625,6 +625,8 @@ group('faces', 5, damaged(grouped), [
   ['tree-across-cells', 'a tree has groups of two cells', { [`${facesOf(0)}/trees/0`]: [0, 1, 2] }],
   ['older-format', 'a file of format 4 has a key of a later format', { ...Object.fromEntries(
     [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 4])), [facesOf(0)]: 7 }, 0],
+]);
+
 // Occluders -----------------------------------------------------------------------
 
 const OCCLUDERS = '/meshes/0/extras/jalousie_occluders';
