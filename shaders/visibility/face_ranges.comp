@@ -68,11 +68,9 @@ void addGroups(FaceLod lod, Transform t) {
   for (uint n = lod.firstNode; n < lod.firstNode + lod.nodeCount;) {
     FaceNode node = nodes[n];
     bool group = node.next == n + 1u;
-    if (!group && !tree) {
-      ++n;
-    } else if (isBack(node, frame, t)) {
+    if ((group || tree) && isBack(node, frame, t)) {
       n = node.next;
-    } else if (group || isFrontCluster(node, frame.eye)) {
+    } else if (group || (tree && isFrontCluster(node, frame.eye))) {
       addRange(node.firstIndex, node.indexCount);
       n = node.next;
     } else {

@@ -55,6 +55,7 @@ void checkTree(const FaceTree& tree, std::size_t primitive, std::uint64_t triang
   if (*own != triangles)
     wrongFaces(fmt::format(": primitive {} has {} triangles, its groups have {}", primitive, triangles, *own));
   std::vector<std::uint32_t> ends;
+  ends.reserve(cells.size());
   std::uint32_t end = 0;  // at most the primitive's number of triangles
   for (const std::uint32_t count : cells)
     ends.push_back(end += count);

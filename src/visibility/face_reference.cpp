@@ -154,11 +154,9 @@ void addGroups(const scene::FaceTables& faces, const Tested& tested, Ranges& ran
   for (gpu::uint n = tested.lod.firstNode; n < tested.lod.firstNode + tested.lod.nodeCount;) {
     const gpu::FaceNode& node = faces.nodes[n];
     const bool group = node.next == n + 1;
-    if (!group && !tree) {
-      ++n;
-    } else if (test.isBack(node)) {
+    if ((group || tree) && test.isBack(node)) {
       n = node.next;
-    } else if (group || test.isFront(node)) {
+    } else if (group || (tree && test.isFront(node))) {
       ranges.add(node.firstIndex, node.indexCount);
       n = node.next;
     } else {
