@@ -109,7 +109,7 @@ class Objects {
       lower.push_back(addNode(model_, fmt::format("{} lod {}", name, nodes.size()), -1));
     }
     std::vector<float> coverage = part.coverage;
-    coverage.resize(lower.size() + 1, 0.0F);
+    if (!coverage.empty()) coverage.resize(lower.size() + 1, 0.0F);
     asset::setLodChain(model_, nodes[0], lower, coverage);
     return nodes[0];
   }

@@ -266,7 +266,7 @@ void moveMeshIntoChild(tinygltf::Model& model, int index, const Grid& grid) {
   }
   std::erase_if(model.animations, [](const tinygltf::Animation& animation) { return animation.channels.empty(); });
   std::vector<float> levels = coverage;
-  levels.resize(lower.size() + 1, 0.0F);
+  if (!levels.empty()) levels.resize(lower.size() + 1, 0.0F);
   setLodChain(model, childIndex, lower, levels);
 }
 

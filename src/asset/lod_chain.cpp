@@ -203,7 +203,7 @@ CellTriangles lodCells(const tinygltf::Model& model, const tinygltf::Mesh& mesh)
 
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage) {
   JAL_CHECK(static_cast<std::size_t>(node) < model.nodes.size());
-  JAL_CHECK(coverage.size() == lowerNodes.size() + 1);
+  JAL_CHECK((coverage.empty() || coverage.size() == lowerNodes.size() + 1));
   tinygltf::Node& target = model.nodes[static_cast<std::size_t>(node)];
   tinygltf::Value::Array ids;
   for (const int lower : lowerNodes)
@@ -213,7 +213,7 @@ void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNod
     levels.emplace_back(static_cast<double>(level));
   if (!ids.empty()) {  // the extension requires at least one id
     target.extensions[kLevels] = tinygltf::Value(tinygltf::Value::Object{{"ids", tinygltf::Value(std::move(ids))}});
-    setMember(target.extras, kCoverage, tinygltf::Value(std::move(levels)));
+    if (!levels.empty()) setMember(target.extras, kCoverage, tinygltf::Value(std::move(levels)));
     std::vector<std::string>& used = model.extensionsUsed;
     if (std::find(used.begin(), used.end(), kLevels) == used.end()) used.emplace_back(kLevels);
   }
@@ -242,7 +242,7 @@ std::vector<int> listedNodes(const tinygltf::Model& model, int node) {
     detail::requireIndex(lower, model.nodes.size(), fmt::format("node {}: MSFT_lod node", node));
     const bool isLast = nodes.size() + 1 == ids.size();
     if (!isLast && showsNothing(model.nodes[static_cast<std::size_t>(lower)]))
-      malformed(fmt::format("node {}: MSFT_lod node {} has no mesh", node, lower));
+      malformed(fmt::format("node {}: MSFT_lod node {} has no mesh; only the last one may show nothing", node, lower));
     nodes.push_back(lower);
   }
   std::vector<int> sorted = nodes;

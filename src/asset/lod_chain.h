@@ -89,7 +89,8 @@ inline std::size_t cellCount(const CellTriangles& cells) {
 }
 
 /// Makes node the LOD 0 of a chain. @param lowerNodes  nodes of LOD 1, 2, ...  @param coverage  one per level, LOD 0
-/// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage). Declares
+/// first: the share of the screen's area below which the next level may be shown (MSFT_screencoverage); empty: none.
+/// Declares
 /// MSFT_lod in model.extensionsUsed.
 void setLodChain(tinygltf::Model& model, int node, std::span<const int> lowerNodes, std::span<const float> coverage);
 /// Node indices of LOD 1, 2, ... as MSFT_lod lists them; empty without. A last node that holds nothing is left out: see

@@ -288,6 +288,25 @@ TEST(Subdivide, EachStepMakesFourTrianglesOfOneAndStaysClosed) {
     EXPECT_LE(glm::length(p), 1.0F + 1e-5F);  // Loop stays in the convex hull
 }
 
+TEST(Subdivide, AVertexMayHaveAnyNumberOfEdges) {
+  for (const std::uint32_t around : {3U, 49U, 50U, 64U, 200U}) {
+    CombinedMesh mesh = combined(test::sphere(around, 4));
+    const double top = mesh.positions[0].y;
+    glm::dvec3 ring(0.0);  // the mean of the neighbours of a pole lies on the axis
+    for (const glm::vec3& p : mesh.positions)
+      if (std::abs(std::abs(p.y) - std::cos(0.25F * 3.14159265F)) < 1e-3F && p.y * top > 0.0) ring.y = p.y;
+    subdivideMesh(mesh, 1);
+    // Loop's rule for a vertex with n neighbours (Loop 1987).
+    const double n = around;
+    const double bend = 3.0 + 2.0 * std::cos(2.0 * 3.14159265358979 / n);
+    const double weight = (40.0 - bend * bend) / 64.0;
+    double highest = -1e9;
+    for (const glm::vec3& p : mesh.positions)
+      highest = std::max(highest, double{p.y} * (top > 0.0 ? 1.0 : -1.0));
+    EXPECT_NEAR(highest, std::abs((1.0 - weight) * top + weight * ring.y), 1e-5) << around;
+  }
+}
+
 TEST(Subdivide, NonManifoldAndTexturedMeshesAreRefused) {
   asset::Primitive fan;
   fan.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};

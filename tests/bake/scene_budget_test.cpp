@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 #include "asset/accessor.h"
+#include "asset/instancing.h"
 #include "asset/lod_chain.h"
 #include "bake/bake_fixtures.h"
 #include "bake/io/bake_document.h"
@@ -275,9 +278,75 @@ TEST(SceneBudget, ASmallMeshEndsInALevelThatShowsNothing) {
   tinygltf::Model held = before;
   BakeOptions options;
   options.chain.ratios = {0.01};
-  options.chain.untilTriangles = 2;
+  options.chain.untilTriangles = 5;
   for (const MeshReport& report : bakeDocument(held, options, [](std::size_t, std::size_t, const std::string&) {}))
     EXPECT_FALSE(report.endsInNothing) << "no level may have fewer triangles";
+}
+
+/// The small sphere of scene(), at a hundredth of its size, after a change.
+bool isLeftOut(const std::function<void(tinygltf::Model&)>& change) {
+  tinygltf::Model model = scene();
+  model.nodes[0].scale = {4.0, 4.0, 4.0};
+  model.nodes[2].scale = {0.01, 0.01, 0.01};
+  change(model);
+  return bakeIt(model, true, 0.01)[2].endsInNothing;
+}
+
+TEST(SceneBudget, MeshesThatMayBeSeenAreNotLeftOut) {
+  EXPECT_TRUE(isLeftOut([](tinygltf::Model&) {}));
+  const auto instances = [](float scale) {
+    return [scale](tinygltf::Model& model) {
+      asset::Instances placed{{glm::vec3(0.0F), glm::vec3(3.0F)}, {}, {glm::vec3(1.0F), glm::vec3(scale)}};
+      placed.rotations.assign(2, glm::quat(1.0F, 0.0F, 0.0F, 0.0F));
+      model.nodes[2].extensions["EXT_mesh_gpu_instancing"] = asset::appendInstances(model, placed);
+    };
+  };
+  EXPECT_TRUE(isLeftOut(instances(2.0F)));
+  EXPECT_FALSE(isLeftOut(instances(200.0F))) << "an instance is large";
+  const auto animated = [](const char* path, int node) {
+    return [path, node](tinygltf::Model& model) {
+      model.animations.emplace_back().channels.emplace_back();
+      model.animations[0].channels[0].target_node = node;
+      model.animations[0].channels[0].target_path = path;
+    };
+  };
+  EXPECT_FALSE(isLeftOut(animated("scale", 2)));
+  EXPECT_TRUE(isLeftOut(animated("translation", 2)));
+  EXPECT_FALSE(isLeftOut([&](tinygltf::Model& model) {
+    tinygltf::Node parent;
+    parent.children = {2};
+    model.nodes.push_back(parent);
+    std::replace(model.scenes[0].nodes.begin(), model.scenes[0].nodes.end(), 2, 3);
+    animated("scale", 3)(model);
+  })) << "a node above it grows";
+  EXPECT_FALSE(isLeftOut([](tinygltf::Model& model) {
+    tinygltf::Primitive points = model.meshes[2].primitives[0];
+    points.mode = TINYGLTF_MODE_POINTS;
+    model.meshes[2].primitives.push_back(points);
+  })) << "points belong to every level";
+}
+
+TEST(SceneBudget, InstancesCountAsNodes) {
+  const auto trianglesOf = [](bool instanced) {
+    tinygltf::Model model = scene();
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 20; ++i)
+      places.emplace_back(10.0F * static_cast<float>(i), 0.0F, 0.0F);
+    if (instanced) {
+      const asset::Instances placed{places, std::vector<glm::quat>(20, glm::quat(1.0F, 0.0F, 0.0F, 0.0F)),
+                                    std::vector<glm::vec3>(20, glm::vec3(1.0F))};
+      model.nodes[2].extensions["EXT_mesh_gpu_instancing"] = asset::appendInstances(model, placed);
+    } else {
+      for (int i = 1; i < 20; ++i) {
+        model.nodes.push_back(model.nodes[2]);
+        model.nodes.back().translation = {10.0 * i, 0.0, 0.0};
+        model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
+      }
+    }
+    const std::vector<MeshReport> reports = bakeIt(model, true, 0.25);
+    return std::pair(reports[1].levels.back().triangles, reports[2].levels.back().triangles);
+  };
+  EXPECT_EQ(trianglesOf(true), trianglesOf(false));
 }
 
 TEST(SceneBudget, ErrorsReferToTheLargestMesh) {

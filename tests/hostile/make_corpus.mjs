@@ -531,7 +531,7 @@ group('lod', 5, (lod) => inRich({ '/nodes/0/extensions/MSFT_lod': lod }), [
   ['id-float', 'a level is node 1.5', { ids: [1.5] }],
   ['id-self', 'a node is its own level', { ids: [0] }],
   ['id-twice', 'a level stands twice', { ids: [1, 1] }],
-  ['id-without-mesh', 'a level has no mesh', { ids: [3] }],
+  ['id-without-mesh', 'a level that is not the last one has no mesh', { ids: [3, 1] }],
   ['ids-number', 'the ids are a number', { ids: 1 }],
 ]);
 group('lod', 5, inRich, [

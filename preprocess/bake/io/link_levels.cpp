@@ -103,6 +103,8 @@ int moveMeshIntoChild(tinygltf::Model& model, int parent) {
 
 ChannelIndex indexChannels(const tinygltf::Model& model) {
   ChannelIndex index;
+  for (const tinygltf::Skin& skin : model.skins)
+    index.joints.insert(skin.joints.begin(), skin.joints.end());
   for (std::size_t a = 0; a < model.animations.size(); ++a) {
     for (std::size_t c = 0; c < model.animations[a].channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = model.animations[a].channels[c];
@@ -120,8 +122,8 @@ void linkNodes(tinygltf::Model& model, const ChannelIndex& channels, const std::
   const bool endsInNothing = !coverage.empty() && coverage.back() > 0.0F;
   if (levelMeshes.size() < 2 && !endsInNothing) return;
   for (const int user : nodes) {
-    const bool divide =
-        channels.pointed.contains(user) || holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
+    const bool divide = channels.pointed.contains(user) || channels.joints.contains(user) ||
+                        holdsMoreThanItsMesh(model.nodes[static_cast<std::size_t>(user)]);
     const int n = divide ? moveMeshIntoChild(model, user) : user;
     const tinygltf::Node source = model.nodes[static_cast<std::size_t>(n)];
     std::vector<int> lower;

@@ -81,20 +81,33 @@ double colorShare(const Input& input, double value, Type type) {
   return isFloat(type) ? value : std::clamp(share, 0.0, 1.0);
 }
 
-/// Makes linear colours of those that were read. Some programs write bytes as floats: if a float of any colour exceeds
-/// 1, they all reach 255. Alpha stands for itself.
-void finishColors(const Element& element, std::vector<glm::vec4>& colors) {
+/// The value of full colour among floats: 255 if all of them are whole and some exceed 1, because some programs write
+/// bytes as floats; else 1. Errors: kMalformed (a number beyond 1 beside one that is not whole).
+/// @param first, last  components
+float fullOfFloats(const Input& input, const std::vector<glm::vec4>& colors, int first, int last) {
+  float largest = 0.0F;
+  bool isWhole = true;
+  for (const glm::vec4& color : colors) {
+    for (int k = first; k <= last; ++k) {
+      largest = std::max(largest, color[k]);
+      isWhole = isWhole && color[k] == std::floor(color[k]);
+    }
+  }
+  if (largest <= 1.0 + kRounding) return 1.0F;
+  if (!isWhole) input.fail(fmt::format("the colour {:g} of a PLY vertex is outside [0, 1]", largest));
+  return 255.0F;
+}
+
+/// Makes linear colours of those that were read.
+void finishColors(const Input& input, const Element& element, std::vector<glm::vec4>& colors) {
   glm::bvec4 floats(false);
   for (const Property& property : element.properties) {
     const int slot = property.countType ? -1 : slotOf(property.name);
     if (slot >= kFirstColor) floats[slot - kFirstColor] = isFloat(property.type);
   }
-  glm::vec4 most(0.0F);
-  for (const glm::vec4& color : colors)
-    most = glm::max(most, color);
-  const auto fullAt = [](float largest) { return largest > 1.0 + kRounding ? 255.0F : 1.0F; };
-  const float fullColor = fullAt(std::max({most.r, most.g, most.b}));
-  const glm::vec4 full = glm::mix(glm::vec4(1.0F), {fullColor, fullColor, fullColor, fullAt(most.a)}, floats);
+  glm::vec4 full(1.0F);
+  if (floats.r && floats.g && floats.b) full = glm::vec4(glm::vec3(fullOfFloats(input, colors, 0, 2)), 1.0F);
+  if (floats.a) full.a = fullOfFloats(input, colors, 3, 3);
   for (glm::vec4& color : colors) {
     color = glm::clamp(color / full, 0.0F, 1.0F);
     color = {linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b), color.a};
@@ -139,7 +152,7 @@ void readVertices(Input& input, const Element& element, Encoding encoding, Polyg
     if (hasUvs) mesh.uvs.emplace_back(values[6], 1.0F - static_cast<float>(values[7]));
     if (hasColors) mesh.colors.emplace_back(values[8], values[9], values[10], values[11]);
   }
-  if (hasColors) finishColors(element, mesh.colors);
+  if (hasColors) finishColors(input, element, mesh.colors);
 }
 
 }  // namespace jalousie::bake::ply

@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <algorithm>
 #include <vector>
 
 #include "bake/mesh/normals.h"
@@ -59,6 +60,14 @@ TopologyMesh makeTopology(const CombinedMesh& mesh) {
   return topology;
 }
 
+/// Largest number of edges at a vertex; subdivision makes none with more, but six.
+std::size_t mostEdges(const TopologyMesh& topology) {
+  std::size_t most = 6;
+  for (const auto vertex : topology.vertices())
+    most = std::max(most, static_cast<std::size_t>(topology.valence(vertex)));
+  return most;
+}
+
 }  // namespace
 
 void subdivideMesh(CombinedMesh& mesh, std::uint32_t steps) {
@@ -75,6 +84,7 @@ void subdivideMesh(CombinedMesh& mesh, std::uint32_t steps) {
   const Quiet quiet;
   TopologyMesh topology = makeTopology(mesh);
   OpenMesh::Subdivider::Uniform::LoopT<TopologyMesh, double> loop;
+  loop.init_weights(mostEdges(topology) + 1);  // it reads beyond its table of 50 without a word
   loop.attach(topology);
   loop(steps);
   loop.detach();

@@ -155,7 +155,8 @@ std::string addLevelsByCount(const WedgeMesh& mesh, const ChainOptions& options,
     const ChainLevel& last = levels.back();
     const std::size_t k = levels.size();
     std::uint32_t target = targetOf(options, finest, k);
-    if (target == 0 && k >= levelsWanted(options)) return "all levels made";
+    if (target == 0 && k >= levelsWanted(options))
+      return options.isShare ? "no coarser level of the scene has fewer triangles of it" : "all levels made";
     if (options.untilTriangles && target < *options.untilTriangles) return tooFew(*options.untilTriangles);
     // A step that leads too far down ends at the smallest level, if that is a step worth making.
     if (target < kMinLevelTriangles && last.mesh.triangles() >= 2 * kMinLevelTriangles) target = kMinLevelTriangles;

@@ -24,6 +24,7 @@ struct ChainOptions {
   double ratio = 0.5;                           ///< triangles of a level over those of the one before
   std::vector<double> ratios;                   ///< triangles of LOD 1, 2, ... over those of LOD 0; replaces ratio
   std::vector<std::uint32_t> targets;           ///< triangles of LOD 1, 2, ..., descending; replaces ratios
+  bool isShare = false;                         ///< the targets are a share of a scene's
   bool leftOut = false;                         ///< below the last level, the mesh is not shown
   std::optional<std::uint32_t> coarsest;        ///< triangles of the last level; replaces ratio
   std::vector<double> errors;                   ///< of LOD 1, 2, ..., % of the diagonal, ascending; replaces the above

@@ -14,7 +14,7 @@ namespace jalousie::bake {
 /// What a mesh offers to a budget.
 struct BudgetMesh {
   std::uint32_t triangles = 0;   ///< of LOD 0
-  std::uint64_t nodes = 1;       ///< that show it
+  std::uint64_t nodes = 1;       ///< that show it, instances of each counted
   std::vector<CostPoint> costs;  ///< squared distances times areas, world units; ascending
   double diagonal = 0.0;         ///< of its box, world units
   std::uint32_t unseen = ~0U;    ///< see CostCurve::unseen
