@@ -85,7 +85,8 @@ TEST_F(GlObjects, EveryProgramOfARendererReadsItsShaderLibrary) {
   scenery.motion.nodes.front().anchor = scenery.motion.nodes.front().translationTrack = gpu::kNoMotion;
   scenery.motion.nodes.front().rotationTrack = scenery.motion.nodes.front().scaleTrack = gpu::kNoMotion;
   scenery.motion.instances.resize(1);
-  const scene::SceneData scene = scene::buildScene(scenery, {.cells = {scene::CellOptions::Kind::kCount, 64}, .faces = true});
+  const scene::SceneData scene =
+      scene::buildScene(scenery, {.cells = {scene::CellOptions::Kind::kCount, 64}, .faces = true});
   ASSERT_FALSE(scene.cells.objects.empty());
   ASSERT_FALSE(scene.faces.empty());
   std::set<std::string_view> files;

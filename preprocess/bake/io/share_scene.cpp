@@ -65,12 +65,19 @@ Shown shownBy(const tinygltf::Model& model, int node, const asset::Limits& limit
   return shown;
 }
 
-/// Whether a mesh has to stay for what a level that shows nothing would take with it, or for what it may grow to.
-bool mustStay(const tinygltf::Model& model, std::size_t mesh, const std::vector<int>& nodes,
-              const std::vector<bool>& grows) {
-  const std::vector<tinygltf::Primitive>& primitives = model.meshes[mesh].primitives;
-  return !std::all_of(primitives.begin(), primitives.end(), hasTriangles) ||
-         std::any_of(nodes.begin(), nodes.end(), [&](int node) { return grows[static_cast<std::size_t>(node)]; });
+/// For each mesh whether it has to stay: others touch it, an animation may enlarge it, or a level that shows nothing
+/// would take its points and lines along.
+std::vector<bool> stayingMeshes(const tinygltf::Model& model, std::span<const std::size_t> used, const MeshUse& use,
+                                std::span<const std::vector<glm::vec3>> touching) {
+  const std::vector<bool> grows = growingNodes(model);
+  std::vector<bool> stays(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::vector<tinygltf::Primitive>& primitives = model.meshes[used[i]].primitives;
+    const std::vector<int>& nodes = use.users[used[i]];
+    stays[i] = !touching[i].empty() || !std::all_of(primitives.begin(), primitives.end(), hasTriangles) ||
+               std::any_of(nodes.begin(), nodes.end(), [&](int node) { return grows[static_cast<std::size_t>(node)]; });
+  }
+  return stays;
 }
 
 /// What a mesh offers, and the positions of its open borders.
@@ -141,11 +148,7 @@ SceneShare shareScene(const tinygltf::Model& model, std::span<const std::size_t>
   double largest = 0.0;
   for (const BudgetMesh& budget : budgets)
     largest = std::max(largest, budget.diagonal);
-  const std::vector<bool> grows = growingNodes(model);
-  std::vector<bool> stays(used.size());
-  for (std::size_t i = 0; i < used.size(); ++i)
-    stays[i] = !touching[i].empty() || mustStay(model, used[i], use.users[used[i]], grows);
-  keepMeshes(budgets, stays, largest, options.chain);
+  keepMeshes(budgets, stayingMeshes(model, used, use, touching), largest, options.chain);
   std::vector<std::vector<std::uint32_t>> targets(used.size());
   if (options.chain.errors.empty()) targets = shareBudget(budgets, options.chain);
   const std::size_t meshes = model.meshes.size();
