@@ -79,9 +79,9 @@ float sectorLeast(const gpu::FaceNode& node, const Sector& rays) {
 }
 
 /// The ranges of one instance.
-class Ranges {
+class DrawnRanges {
  public:
-  explicit Ranges(gpu::uint most) : most_(most) {}
+  explicit DrawnRanges(gpu::uint most) : most_(most) {}
 
   void add(gpu::uint first, gpu::uint count) {
     if (count == 0) return;
@@ -148,7 +148,7 @@ class GroupTest {
   Sector rays_;
 };
 
-void addGroups(const scene::FaceTables& faces, const Tested& tested, Ranges& ranges) {
+void addGroups(const scene::FaceTables& faces, const Tested& tested, DrawnRanges& ranges) {
   const GroupTest test(tested);
   const bool tree = tested.test == gpu::kFacesTree;
   for (gpu::uint n = tested.lod.firstNode; n < tested.lod.firstNode + tested.lod.nodeCount;) {
@@ -231,7 +231,7 @@ FaceCommands cullFaces(const scene::FaceTables& faces, std::span<const gpu::Tran
     const gpu::FaceUnit& unit = faces.units[instances[i].unit];
     const gpu::FaceLod& lod = faces.lods[unit.firstLod + instances[i].bin / 2];
     const gpu::uint list = instances[i].bin % 2 != 0 ? gpu::kListSheet : gpu::kListSolid;
-    Ranges ranges(faceView.mostRanges);
+    DrawnRanges ranges(faceView.mostRanges);
     if (lod.nodeCount > 0) {
       addGroups(faces, {view, faceView.test, transforms[unit.transform], lod}, ranges);
       result.tested += lod.solidCount / 3;
@@ -241,7 +241,7 @@ FaceCommands cullFaces(const scene::FaceTables& faces, std::span<const gpu::Tran
       result.whole += lod.solidCount / 3;
     }
     result.whole += lod.sheetCount / 3;
-    for (const Ranges::Range& range : ranges.all())
+    for (const DrawnRanges::Range& range : ranges.all())
       result.commands[list].push_back({range.count, 1, range.first, lod.baseVertex, i});
     if (lod.sheetCount > 0)
       result.commands[gpu::kListSheet].push_back(

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFlat = 1e-6;         ///< of the diagonal
 constexpr double kSameNormal = 0.999;  ///< least cosine
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -32,7 +32,7 @@ class FlatParts {
     for (std::uint32_t t = 0; t < count(); ++t)
       for (int k = 0; k < 3; ++k) {
         const auto [known, isNew] = triangleAt_.try_emplace(edgeOf(t, k), t);
-        if (!isNew) known->second = kNone;  // more than one: no neighbour
+        if (!isNew) known->second = kNoFacet;  // more than one: no neighbour
       }
   }
 
@@ -58,7 +58,7 @@ class FlatParts {
     for (std::size_t next = 0; next < part.size(); ++next) {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t beside = neighbour(part[next], k);
-        if (beside == kNone || isTaken_[beside] || bothSides(beside) != bothSides(first)) continue;
+        if (beside == kNoFacet || isTaken_[beside] || bothSides(beside) != bothSides(first)) continue;
         if (!liesIn(beside, direction, on)) continue;
         isTaken_[beside] = true;
         part.push_back(beside);
@@ -67,12 +67,12 @@ class FlatParts {
     return part;
   }
 
-  /// The triangle on the other side of an edge; kNone: none, or several.
+  /// The triangle on the other side of an edge; kNoFacet: none, or several.
   std::uint32_t neighbour(std::uint32_t triangle, int k) const {
     const Edge edge = edgeOf(triangle, k);
-    if (triangleAt_.at(edge) == kNone) return kNone;
+    if (triangleAt_.at(edge) == kNoFacet) return kNoFacet;
     const auto found = triangleAt_.find({edge.second, edge.first});
-    return found == triangleAt_.end() ? kNone : found->second;
+    return found == triangleAt_.end() ? kNoFacet : found->second;
   }
 
  private:
@@ -119,7 +119,7 @@ std::vector<std::pair<glm::dvec3, glm::dvec3>> borderOf(const FlatParts& parts,
   for (const std::uint32_t triangle : part)
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t beside = parts.neighbour(triangle, k);
-      if (beside == kNone || !isIn[beside])
+      if (beside == kNoFacet || !isIn[beside])
         border.emplace_back(parts.corner(triangle, k), parts.corner(triangle, (k + 1) % 3));
     }
   return border;
