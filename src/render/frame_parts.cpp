@@ -122,10 +122,10 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const QueryRecord& queries = queryRecords[record->frame % queryRecords.size()];
   if (queries.frame == record->frame) static_cast<culling::QueryFigures&>(result) = queries.figures;
   const bool slices = result.sliceDraws > 0;  // of the late list only the blended surfaces are drawn
-  if ((slices || !faces) && requestedFaces != FaceCulling::kOff) result.facesWhole = result.triangles;
   result.facesTested = faceFigure(*record, gpu::kFaceFigureTested, drawsEarly);
   result.facesCulled = faceFigure(*record, gpu::kFaceFigureCulled, drawsEarly);
-  result.facesWhole += faceFigure(*record, gpu::kFaceFigureWhole, drawsEarly);
+  if (requestedFaces != FaceCulling::kOff)  // blended surfaces, which no kernel of groups sees, included
+    result.facesWhole = result.triangles - std::min(result.triangles, result.facesTested);
   const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list) {
     if (slices && list % gpu::kListsPerDetail != gpu::kListBlend) continue;

@@ -114,9 +114,10 @@ TEST_F(BackFacesGl, PicturesEqualThoseWithoutOnEveryPath) {
 
 TEST_F(BackFacesGl, FiguresSayWhatIsLeftWhole) {
   asset::SceneFile file;
-  file.materials.resize(2);
+  file.materials.resize(3);
   file.materials[1].doubleSided = true;
-  file.meshes = {{"sphere", {test::sphere(24, 12), test::sphere(12, 8, 1)}}};
+  file.materials[2].alphaMode = asset::AlphaMode::kBlend;
+  file.meshes = {{"sphere", {test::sphere(24, 12), test::sphere(12, 8, 1), test::sphere(6, 4, 2)}}};
   file.chains = {{"sphere", {{0, 0.0F}}}};
   test::groupFaces(file, asset::FaceGrouping::kClusters);
   test::addInstance(file, 0, {0, 0, 0}, glm::vec3(1.0F));
@@ -128,7 +129,8 @@ TEST_F(BackFacesGl, FiguresSayWhatIsLeftWhole) {
   renderer.render(options, camera, camera);
   FrameStatistics statistics = renderer.readStatistics();
   EXPECT_EQ(statistics.facesTested, 2U * 24 * 11);
-  EXPECT_EQ(statistics.facesWhole, 2U * 12 * 7);
+  EXPECT_EQ(statistics.facesWhole, 2U * (12 * 7 + 6 * 3)) << "double-sided and blended";
+  EXPECT_EQ(statistics.facesTested + statistics.facesWhole, statistics.triangles);
   EXPECT_GT(statistics.facesCulled, statistics.facesTested / 4);
   EXPECT_LT(statistics.facesCulled, statistics.facesTested * 13 / 20)
       << "from a finite distance more than half of a sphere";
