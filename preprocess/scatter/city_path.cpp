@@ -9,7 +9,6 @@
 namespace jalousie::scatter {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEyeLevel = 0.9;      ///< of a walker, units
 constexpr double kSeatLevel = 1.2;     ///< of a driver
 constexpr double kWalkCorner = 3.0;    ///< radius of the corners, units; the street is wide enough for both
@@ -37,7 +36,7 @@ class Round {
   /// @param turn  0 to 1
   Place at(double turn) const {
     const double straight = 2.0 * (half_ - radius_);
-    const double arc = 0.5 * kPi * radius_;
+    const double arc = 0.5 * std::numbers::pi * radius_;
     const double way = 4.0 * (turn - std::floor(turn));
     const double quarter = std::min(std::floor(way), 3.0);
     const double along = (way - quarter) * (straight + arc);
@@ -66,7 +65,7 @@ double turnAt(double frame) {
 CameraPath streetPath(const City& city, const Round& way, double level, double lookAbout) {
   return sampledPath([&](double frame) {
     const Round::Place place = way.at(turnAt(frame));
-    const double angle = lookAbout * std::sin(2.0 * kPi * kLooks * turnAt(frame));
+    const double angle = lookAbout * std::sin(2.0 * std::numbers::pi * kLooks * turnAt(frame));
     const glm::dvec2& ahead = place.direction;
     return CameraPose{{place.position.x, level * double{city.unit}, place.position.y},
                       {ahead.x * std::cos(angle) - ahead.y * std::sin(angle), 0.0,
@@ -76,7 +75,7 @@ CameraPath streetPath(const City& city, const Round& way, double level, double l
 
 CameraPath flightPath(const City& city) {
   return sampledPath([&](double frame) {
-    const double angle = 2.0 * kPi * turnAt(frame);
+    const double angle = 2.0 * std::numbers::pi * turnAt(frame);
     const double radius = kFlightRadius * double{city.side()};
     const double heading = angle + kFlightInward;
     return CameraPose{

@@ -12,7 +12,7 @@
 namespace jalousie::asset {
 namespace {
 
-const LodMeasures kMeasures{10.0, {0.5, 0.25}, {0.75, 0.125}, {0.75, 0.2}, {3.0, 9.0}, {0.01, 0.03}, 0.5, ""};
+const LodMeasures kGroupedMeasures{10.0, {0.5, 0.25}, {0.75, 0.125}, {0.75, 0.2}, {3.0, 9.0}, {0.01, 0.03}, 0.5, ""};
 const LodFaces kFaces{FaceGrouping::kClusters, {{0, 2, 1, 3}, {}}};
 const CellTriangles kCells = {{3, 3}, {1, 4}};
 
@@ -36,7 +36,7 @@ tinygltf::Model document() {
     primitive.indices = appendIndices(model, indices);
     mesh.primitives.push_back(primitive);
   }
-  setLodInfo(mesh, {0, 11, 33, 0.0, kMeasures});
+  setLodInfo(mesh, {0, 11, 33, 0.0, kGroupedMeasures});
   setLodCells(mesh, kCells);
   setLodFaces(mesh, kFaces);
   model.meshes.push_back(mesh);
@@ -88,7 +88,7 @@ TEST(LodFaces, AreTreesInTheScene) {
 
 TEST(LodFaces, AreAbsentWithoutATableAndInOlderFormats) {
   tinygltf::Model model = document();
-  setLodInfo(model.meshes[0], {0, 11, 33, 0.0, kMeasures});
+  setLodInfo(model.meshes[0], {0, 11, 33, 0.0, kGroupedMeasures});
   EXPECT_EQ(lodFaces(model, model.meshes[0]), LodFaces());
   model = document();
   tinygltf::Value::Object own = model.meshes[0].extras.Get("jalousie").Get<tinygltf::Value::Object>();

@@ -30,7 +30,7 @@ tinygltf::Model tetrahedron(const std::vector<Occluder>& occluders) {
   return model;
 }
 
-tinygltf::Model throughFile(const tinygltf::Model& model) {
+tinygltf::Model savedAndRead(const tinygltf::Model& model) {
   return parseGltf(encodeGlb(model), "occluders.glb");
 }
 
@@ -43,7 +43,7 @@ std::string failureOf(const char* key, tinygltf::Value value) {
   extras[kOccluders] = tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(std::move(first))});
   model.meshes[0].extras = tinygltf::Value(std::move(extras));
   try {
-    throughFile(model);
+    savedAndRead(model);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kMalformed) << key;
     return error.what();
@@ -52,7 +52,7 @@ std::string failureOf(const char* key, tinygltf::Value value) {
 }
 
 TEST(MeshOccluders, ComeBackAsTheyWere) {
-  const tinygltf::Mesh mesh = throughFile(tetrahedron({kBox, kPolygon})).meshes[0];
+  const tinygltf::Mesh mesh = savedAndRead(tetrahedron({kBox, kPolygon})).meshes[0];
   EXPECT_EQ(meshOccluders(mesh), (std::vector<Occluder>{kBox, kPolygon}));
   EXPECT_EQ(mesh.extras.Get("author").Get<std::string>(), "someone");
   tinygltf::Mesh without = mesh;
@@ -63,14 +63,14 @@ TEST(MeshOccluders, ComeBackAsTheyWere) {
 
 TEST(MeshOccluders, ReachTheFlattenedScene) {
   const Occluder inside{solidOf({{0.1F, 0.1F, 0.1F}, {0.3F, 0.3F, 0.3F}}), 1};
-  const SceneFile file = readScene(throughFile(tetrahedron({inside, kPolygon})), "occluders.glb");
+  const SceneFile file = readScene(savedAndRead(tetrahedron({inside, kPolygon})), "occluders.glb");
   ASSERT_EQ(file.chains.size(), 1U);
   EXPECT_EQ(file.chains[0].occluders, (std::vector<Occluder>{inside, kPolygon}));
 }
 
 TEST(MeshOccluders, OutsideOfTheMeshTheyAreRefused) {
   const Occluder outside{solidOf({{0, 0, 0}, {1, 2.5F, 0.5F}}), 1};
-  EXPECT_EQ(test::codeOf([&] { throughFile(tetrahedron({outside})); }), ErrorCode::kMalformed);
+  EXPECT_EQ(test::codeOf([&] { savedAndRead(tetrahedron({outside})); }), ErrorCode::kMalformed);
 }
 
 TEST(MeshOccluders, LevelsMayBeAbsentAndBothSidesToo) {
@@ -81,7 +81,7 @@ TEST(MeshOccluders, LevelsMayBeAbsentAndBothSidesToo) {
   first.erase("bothSides");
   extras[kOccluders] = tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(std::move(first))});
   model.meshes[0].extras = tinygltf::Value(std::move(extras));
-  const std::vector<Occluder> read = meshOccluders(throughFile(model).meshes[0]);
+  const std::vector<Occluder> read = meshOccluders(savedAndRead(model).meshes[0]);
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].levels, 1U);
   EXPECT_FALSE(read[0].solid.bothSides);
@@ -107,8 +107,8 @@ TEST(MeshOccluders, BrokenValuesAreRefusedWithTheReason) {
 }
 
 TEST(MeshOccluders, ListsHaveALimit) {
-  EXPECT_EQ(test::codeOf([&] { throughFile(tetrahedron(std::vector<Occluder>(257, kBox))); }), ErrorCode::kMalformed);
-  EXPECT_EQ(meshOccluders(throughFile(tetrahedron(std::vector<Occluder>(256, kBox))).meshes[0]).size(), 256U);
+  EXPECT_EQ(test::codeOf([&] { savedAndRead(tetrahedron(std::vector<Occluder>(257, kBox))); }), ErrorCode::kMalformed);
+  EXPECT_EQ(meshOccluders(savedAndRead(tetrahedron(std::vector<Occluder>(256, kBox))).meshes[0]).size(), 256U);
 }
 
 }  // namespace
