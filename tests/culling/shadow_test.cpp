@@ -19,7 +19,7 @@ struct Scene {
   Viewpoint view;
 };
 
-Viewpoint randomView(Random& random) {
+Viewpoint randomViewpoint(Random& random) {
   const glm::dvec3 eye(randomVector(random, 8.0F));
   return {eye, glm::normalize(glm::dvec3(randomVector(random, 1.0F)) + glm::dvec3(0.0, 0.0, 1.2)),
           random.below(4) == 0};
@@ -28,7 +28,7 @@ Viewpoint randomView(Random& random) {
 Scene randomScene(Random& random, bool planar) {
   ConvexSolid solid = planar ? polygon(3 + random.below(5), random.below(2) == 0) : randomSolid(random);
   const glm::dmat4 matrix = randomTransform(random);
-  return {std::move(solid), matrix, randomView(random)};
+  return {std::move(solid), matrix, randomViewpoint(random)};
 }
 
 /// By the definition, object space. @param slack  by which the solid is larger
