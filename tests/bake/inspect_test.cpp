@@ -76,7 +76,7 @@ TEST(Inspect, ShowsWhatTheBakerWrote) {
   EXPECT_EQ(level["triangles"], chains[0].levels[3].triangles);
   EXPECT_EQ(level["triangles"], chains[0].levels[3].info->triangles);
   EXPECT_EQ(level["vertices"], chains[0].levels[3].info->vertices);
-  EXPECT_EQ(level["stop"], "all levels made");
+  EXPECT_EQ(level["stop"], "no coarser level of the scene has fewer triangles of it");
   EXPECT_GT(level["mean_percent"], 0.0);
 }
 

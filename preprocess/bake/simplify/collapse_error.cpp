@@ -236,7 +236,7 @@ void CollapseError::attributesAt(const glm::dvec3& p, double along, const WedgeM
       const float*& side = merge.fromV[i] != 0 ? fromV : fromU;
       if (side == nullptr) side = attributes(merge.wedges[i]);
     }
-    float* out = &values[group * stride_];
+    float* out = values.data() + group * stride_;
     for (std::uint32_t k = 0; k < stride_; ++k) {
       const double a = fromU != nullptr ? fromU[k] : fromV[k];
       const double b = fromV != nullptr ? fromV[k] : fromU[k];

@@ -39,7 +39,7 @@ class CollapseError {
   /// Merges v into u, and the wedges of each group into its first wedge. @param values  from attributesAt
   void commit(std::uint32_t u, std::uint32_t v, const WedgeMerge& merge, const std::vector<float>& values);
 
-  const float* attributes(std::uint32_t wedge) const { return &attributes_[std::size_t{wedge} * stride_]; }
+  const float* attributes(std::uint32_t wedge) const { return attributes_.data() + std::size_t{wedge} * stride_; }
   bool weighsAttributes() const { return !weights_.empty(); }
 
  private:
