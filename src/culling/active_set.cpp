@@ -107,11 +107,12 @@ void ActiveSet::choose(const QueryView& view, const OccluderOptions& options, co
   const bool paper = options.rank == Rank::kPaper;
   const std::vector<PlacedOccluder>& placed = scene.table.placed();
   bounds_.clear();
+  chosen_.clear();
+  if (options.active == 0) return;
   for (std::uint32_t i = 0; i < placed.size(); ++i)
     if (isInView(view, placed[i])) bounds_.push_back({solidAngleBound(placed[i].center, placed[i].radius, eye), i});
   const auto lower = [](const Ranked& a, const Ranked& b) { return b < a; };
   std::make_heap(bounds_.begin(), bounds_.end(), lower);
-  chosen_.clear();
   while (!bounds_.empty()) {
     const Ranked next = bounds_.front();
     if (!paper && chosen_.size() == options.active && !(next.measure > chosen_.back().measure)) break;
