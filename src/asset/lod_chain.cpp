@@ -114,11 +114,6 @@ LodMeasures readMeasures(const tinygltf::Value& object, std::uint32_t format) {
   return measures;
 }
 
-tinygltf::Value countValue(std::uint32_t count) {
-  JAL_CHECK(count <= static_cast<std::uint32_t>(std::numeric_limits<int>::max()));
-  return tinygltf::Value(static_cast<int>(count));
-}
-
 /// The triangles of each cell of one primitive, which has `triangles` in all.
 std::vector<std::uint32_t> readCells(const tinygltf::Value& list, std::size_t primitive, std::uint64_t triangles) {
   const auto wrong = [&](const std::string& what) {
@@ -129,10 +124,9 @@ std::vector<std::uint32_t> readCells(const tinygltf::Value& list, std::size_t pr
   cells.reserve(list.ArrayLen());
   std::uint64_t sum = 0;  // of at most 2^31 each: cannot wrap
   for (const tinygltf::Value& value : list.Get<tinygltf::Value::Array>()) {
-    const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
-    if (!(number >= 0.0 && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
-      wrong(fmt::format("has no count of triangles for cell {}", cells.size()));
-    cells.push_back(static_cast<std::uint32_t>(number));
+    const std::optional<std::uint32_t> number = countIn(value);
+    if (!number) wrong(fmt::format("has no count of triangles for cell {}", cells.size()));
+    cells.push_back(*number);
     sum += cells.back();
   }
   if (sum != triangles) wrong(fmt::format("has {} triangles, its cells have {}", triangles, sum));

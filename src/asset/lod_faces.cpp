@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <string>
 
+#include "asset/extras.h"
 #include "asset/lod_chain.h"
 #include "asset/triangle_count.h"
 #include "core/check.h"
@@ -38,10 +37,9 @@ FaceTree readTree(const tinygltf::Value& list, std::size_t primitive) {
   FaceTree tree;
   tree.reserve(list.ArrayLen());
   for (const tinygltf::Value& value : list.Get<tinygltf::Value::Array>()) {
-    const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
-    if (!(number >= 0.0 && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
-      wrongFaces(fmt::format(": primitive {} has no count of triangles at {}", primitive, tree.size()));
-    tree.push_back(static_cast<std::uint32_t>(number));
+    const std::optional<std::uint32_t> number = countIn(value);
+    if (!number) wrongFaces(fmt::format(": primitive {} has no count of triangles at {}", primitive, tree.size()));
+    tree.push_back(*number);
   }
   return tree;
 }
@@ -83,18 +81,15 @@ void setLodFaces(tinygltf::Mesh& mesh, const LodFaces& faces) {
     }
     tinygltf::Value::Array numbers;
     numbers.reserve(tree.size());
-    for (const std::uint32_t number : tree) {
-      JAL_CHECK(number <= static_cast<std::uint32_t>(std::numeric_limits<int>::max()));
-      numbers.emplace_back(static_cast<int>(number));
-    }
+    for (const std::uint32_t number : tree)
+      numbers.push_back(countValue(number));
     lists.emplace_back(std::move(numbers));
   }
-  tinygltf::Value::Object extras = mesh.extras.Get<tinygltf::Value::Object>();
-  tinygltf::Value::Object own = extras.at(kOwn).Get<tinygltf::Value::Object>();
-  own[kFaces] = tinygltf::Value(tinygltf::Value::Object{{kKind, tinygltf::Value(std::string(nameOf(faces.grouping)))},
-                                                        {kTrees, tinygltf::Value(std::move(lists))}});
-  extras[kOwn] = tinygltf::Value(std::move(own));
-  mesh.extras = tinygltf::Value(std::move(extras));
+  tinygltf::Value own = mesh.extras.Get(kOwn);
+  setMember(own, kFaces,
+            tinygltf::Value(tinygltf::Value::Object{{kKind, tinygltf::Value(std::string(nameOf(faces.grouping)))},
+                                                    {kTrees, tinygltf::Value(std::move(lists))}}));
+  setMember(mesh.extras, kOwn, std::move(own));
 }
 
 LodFaces lodFaces(const tinygltf::Model& model, const tinygltf::Mesh& mesh) {

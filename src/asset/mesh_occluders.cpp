@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,10 +20,9 @@ using tinygltf::Value;
 }
 
 std::uint32_t countOf(const Value& value, std::size_t occluder, const char* what) {
-  const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
-  if (!(number >= 0.0 && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
-    refuse(occluder, fmt::format("has {} that is no count", what));
-  return static_cast<std::uint32_t>(number);
+  const std::optional<std::uint32_t> count = countIn(value);
+  if (!count) refuse(occluder, fmt::format("has {} that is no count", what));
+  return *count;
 }
 
 const Value::Array& listOf(const Value& object, const char* key, std::size_t most, std::size_t occluder) {
