@@ -14,8 +14,8 @@ struct SliceView {
   uint listCount;        // lists in the buffer of commands: with patches kListCount, else kListsPerDetail
   uint threshold;        // a node is visible if more samples pass
   float importance;      // samples count where the importance mask is at least this
-  uint reserved1;
-  uint reserved2;
+  uint faceCommands;     // commands for each place where groups of back faces are culled (slice_faces.comp); else 0
+  uint reserved0;
 };
 JAL_ASSERT_SIZE(SliceView, 32)
 
@@ -37,7 +37,10 @@ const uint kBindingDrawnBits = 1u;
 const uint kBindingLeafOf = 2u;
 const uint kBindingSamples = 3u;
 const uint kBindingSliceInstances = 7u;
-const uint kBindingSliceView = 5u;  // uniform block
+const uint kBindingSliceView = 6u;  // uniform block
+// Of slice_faces.comp, beside those of face_structs.h and the draw lists.
+const uint kBindingFaceOrder = 1u;
+const uint kBindingFaceMarks = 7u;
 
 JAL_SHARED_END
 

@@ -16,11 +16,14 @@ layout(std430, binding = kBindingCommands) writeonly buffer CommandBlock { DrawC
 void main() {
   SliceRange range = ranges[groupNumber()];
   if (samples[range.node] > sliceView.threshold) return;
-  for (uint unit = gl_LocalInvocationID.x; unit < range.unitCount; unit += kObjectGroupSize) {
-    for (uint list = 0u; list < sliceView.listCount; ++list) {
-      uint place = list * sliceView.commandCapacity + range.firstUnit + unit;
-      commands[place] = DrawCommand(0u, 0u, 0u, 0, 0u);
-      commands[place + sliceView.unitCount] = DrawCommand(0u, 0u, 0u, 0, 0u);
+  bool facesCulled = sliceView.faceCommands > 0u;  // slice_faces.comp has written two lists
+  uint each = max(sliceView.faceCommands, 1u);
+  uint lists = facesCulled ? kListSheet + 1u : sliceView.listCount;
+  for (uint i = gl_LocalInvocationID.x; i < range.unitCount * each; i += kObjectGroupSize) {
+    for (uint list = 0u; list < lists; ++list) {
+      uint at = (list * sliceView.commandCapacity + range.firstUnit) * each + i;
+      commands[at] = DrawCommand(0u, 0u, 0u, 0, 0u);
+      commands[at + sliceView.unitCount * each] = DrawCommand(0u, 0u, 0u, 0, 0u);
     }
   }
 }

@@ -192,8 +192,7 @@ std::vector<RenderOption> faceRows() {
   return {
       {"--backface", "back faces", "",
        "Leave out groups of triangles that all face away before they are drawn; the image is the same, but for a "
-       "frozen camera, wireframe, overdraw and density. Files baked with --backface have small groups, others one for "
-       "each cell; modes that ask queries leave all whole. " +
+       "frozen camera. Files baked with --backface have small groups, others one for each cell. " +
            policy::helpOf(faceCullingTable()),
        OptionGroup::kCulling, choice<FaceCulling, faceCullingTable, faceCullingOf>(), "--detail discrete",
        [](const Options& o) { return !rowOf(o.frameOptions.detail).patches; }},

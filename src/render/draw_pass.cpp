@@ -97,10 +97,11 @@ void DrawPass::submitSlice(unsigned path, unsigned surface, const SliceList& lis
   const auto draw = [&](std::size_t first) {
     const std::size_t offset = sizeof(gpu::DrawCommand) * (firstOfList + first);
     glMultiDrawElementsIndirect(primitive, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                static_cast<GLsizei>(places.count), 0);
+                                static_cast<GLsizei>(places.count * list.each), 0);
   };
-  draw(places.first);
-  if (list.fading) draw(std::size_t{list.capacity / 2} + places.first);
+  const std::size_t first = std::size_t{places.first} * list.each;
+  draw(first);
+  if (list.fading) draw(list.capacity / 2 + first);
 }
 
 const gl::Program& DrawPass::programOf(DrawKind kind, unsigned path, unsigned program) const {

@@ -27,7 +27,8 @@ enum class DrawPart { kOpaque, kBlended };
 struct SliceList {
   const gl::Buffer* instances = nullptr;
   const gl::Buffer* commands = nullptr;  ///< gpu::DrawCommand [lists][capacity]
-  std::uint32_t capacity = 0;            ///< commands per list: two per place, the second half for fading levels
+  std::uint32_t capacity = 0;            ///< commands per list; the second half is for fading levels
+  std::uint32_t each = 1;                ///< commands of each place
   bool patches = false;                  ///< the lists of patches exist
   bool fading = false;                   ///< levels may fade out in this frame
 };

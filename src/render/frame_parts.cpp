@@ -21,7 +21,8 @@ visibility::DrawListOptions listOptions(const scene::SceneData& scene, const Ren
   const auto objects = static_cast<std::uint32_t>(scene.drawn().objects.size());
   const std::uint32_t most = 2 * objects;  // a cross-faded object is on the list twice
   const std::uint32_t capacity = std::min(options.capacity.value_or(most), most);
-  return {options.submission, capacity, scene.maxPatchTriangles > 0, visibility::faceRanges(scene.faces, capacity)};
+  return {options.submission, capacity, scene.maxPatchTriangles > 0,
+          visibility::faceRanges(scene.faces.mostGroups, capacity)};
 }
 
 std::optional<FaceParts> makeFaces(const scene::SceneData& scene, const visibility::DrawList& early,
@@ -94,9 +95,7 @@ void FrameParts::setViews(const FrameOptions& options, const scene::Camera& cull
                             .tessellationLimit = tessellationLimit,
                             .sceneWorld = scene.boundsWorld};
   cullMode = options.cullMode;
-  // What is drawn in slices has one command for each object.
-  requestedFaces = options.faceCulling;
-  faceCulling = rowOf(options.cullMode).asksQueries ? FaceCulling::kOff : options.faceCulling;
+  faceCulling = options.faceCulling;
   queryOptions = options.queries;
   occluderOptions = options.occluders;
   queryFigures = {};
@@ -124,7 +123,7 @@ std::optional<FrameStatistics> FrameParts::statisticsOf(const std::optional<visi
   const bool slices = result.sliceDraws > 0;  // of the late list only the blended surfaces are drawn
   result.facesTested = faceFigure(*record, gpu::kFaceFigureTested, drawsEarly);
   result.facesCulled = faceFigure(*record, gpu::kFaceFigureCulled, drawsEarly);
-  if (requestedFaces != FaceCulling::kOff)  // blended surfaces, which no kernel of groups sees, included
+  if (faceCulling != FaceCulling::kOff)  // blended surfaces, which no kernel of groups sees, included
     result.facesWhole = result.triangles - std::min(result.triangles, result.facesTested);
   const std::uint32_t first = has(view.traits, gpu::kTraitPatches) ? gpu::kListsPerDetail : 0;
   for (std::uint32_t list = first; list < first + gpu::kListsPerDetail; ++list) {

@@ -50,15 +50,14 @@ struct FrameParts {
   gl::PassTimer timer;
   gpu::CullView cullView{};
   gpu::DrawView drawView{};
-  CullMode cullMode = CullMode::kFull;             ///< of the last frame
-  culling::QueryOptions queryOptions;              ///< of the last frame
-  culling::OccluderOptions occluderOptions;        ///< of the last frame
-  culling::QueryFigures queryFigures;              ///< of the last frame
-  FaceCulling requestedFaces = FaceCulling::kOff;  ///< of the last frame
-  FaceCulling faceCulling = FaceCulling::kOff;     ///< the same; off in modes that ask queries
-  bool counting = false;                           ///< this frame's visible pixels are counted
-  std::uint32_t countAge = kCountInterval;         ///< frames since they last were
-  std::array<QueryRecord, 4> queryRecords;         ///< by frame
+  CullMode cullMode = CullMode::kFull;          ///< of the last frame
+  culling::QueryOptions queryOptions;           ///< of the last frame
+  culling::OccluderOptions occluderOptions;     ///< of the last frame
+  culling::QueryFigures queryFigures;           ///< of the last frame
+  FaceCulling faceCulling = FaceCulling::kOff;  ///< of the last frame
+  bool counting = false;                        ///< this frame's visible pixels are counted
+  std::uint32_t countAge = kCountInterval;      ///< frames since they last were
+  std::array<QueryRecord, 4> queryRecords;      ///< by frame
   MethodTable methods;
   FrameContext context;
   FrameDrawing drawing;

@@ -39,9 +39,7 @@ void addFaces(MemoryEstimate& needs, const scene::SceneSize& size) {
   needs.add(size.faceNodes, sizeof(gpu::FaceNode) + sizeof(gpu::FaceLod),
             counted(size.faceNodes, "groups of triangles"));
   const std::uint64_t entries = 2 * std::max({size.instances, size.cells, std::uint64_t{1}});
-  const std::uint64_t most = visibility::kMostFaceCommands / entries;
-  const std::uint64_t ranges = std::clamp<std::uint64_t>(
-      most, visibility::kLeastFaceRanges, std::max<std::uint64_t>(size.faceNodes, visibility::kLeastFaceRanges));
+  const std::uint64_t ranges = visibility::faceRanges(size.faceNodes, entries);
   needs.add(kLists * entries,
             gpu::kListsPerDetail * (ranges + 1) * sizeof(gpu::DrawCommand) +
                 (2 + gpu::kFaceHead + 2 * ranges) * sizeof(gpu::uint),

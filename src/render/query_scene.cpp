@@ -24,6 +24,8 @@ MemoryEstimate needsOf(const scene::SceneData& scene) {
   MemoryEstimate needs;
   needs.add(units, 2 * (lists * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)) + 2 * sizeof(gpu::uint),
             scene::counted(units, "slices"));
+  if (const std::uint32_t ranges = visibility::faceRanges(scene.faces.mostGroups, 2 * units); ranges > 0)
+    needs.add(units, 4 * (ranges + 1) * sizeof(gpu::DrawCommand), "commands of slices without back faces");
   constexpr std::uint64_t kNode = sizeof(culling::HierarchyNode) + 2 * sizeof(Aabb) + 64;  // with its history
   needs.add(scene.objects.size(), 2 * kNode + 2 * sizeof(Aabb) + 8 * sizeof(gpu::uint),
             scene::counted(scene.objects.size(), "objects of the hierarchy"));

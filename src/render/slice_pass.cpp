@@ -64,6 +64,11 @@ void SlicePass::allocate(const scene::SceneData& scene, std::uint32_t nodes) {
   leafOf_ = words(view_.objectCount, GL_DYNAMIC_STORAGE_BIT, "leaves of objects");
   commands_ = visibility::makeStorage(std::size_t{view_.listCount} * view_.commandCapacity * sizeof(gpu::DrawCommand),
                                       0, "commands of slices");
+  faceRanges_ = visibility::faceRanges(scene.faces.mostGroups, view_.commandCapacity);
+  if (faceRanges_ > 0)
+    faceCommands_ =
+        visibility::makeStorage(std::size_t{2} * view_.commandCapacity * (faceRanges_ + 1) * sizeof(gpu::DrawCommand),
+                                0, "commands of slices without back faces");
   instances_ = words(view_.commandCapacity, 0, "instances of slices");
   samples_ = words(nodes, 0, "samples of queries");
   ranges_ = visibility::makeStorage(kMostRanges * sizeof(gpu::SliceRange), GL_DYNAMIC_STORAGE_BIT, "ranges of slices");
@@ -90,7 +95,8 @@ void SlicePass::prepare(const culling::QueryOptions& options) {
 }
 
 void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
-                      const culling::QueryOptions& options) {
+                      const culling::QueryOptions& options, const SliceFaces& faces) {
+  view_.faceCommands = faces.pass != nullptr && faceRanges_ > 0 ? faceRanges_ + 1 : 0;
   prepare(options);
   const visibility::SceneBindings drawn = scene.drawn();
   const visibility::ObjectBuffers units = decided.drawn();
@@ -107,6 +113,8 @@ void SlicePass::begin(const visibility::SceneBindings& scene, const visibility::
   sliceCommands_.use();
   visibility::dispatchGroups(visibility::objectGroups(view_.unitCount));
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  if (view_.faceCommands > 0)
+    faces.pass->cullSlices({faceCommands_, viewBuffer_, unitOrder_, view_}, faces.test, *scene.transforms, units);
 }
 
 void SlicePass::dropHidden(std::span<const gpu::SliceRange> ranges) {
@@ -117,7 +125,7 @@ void SlicePass::dropHidden(std::span<const gpu::SliceRange> ranges) {
   viewBuffer_.bindUniform(gpu::kBindingSliceView);
   ranges_.bindStorage(gpu::kBindingRanges);
   samples_.bindStorage(gpu::kBindingSamples);
-  commands_.bindStorage(gpu::kBindingCommands);
+  commands().bindStorage(gpu::kBindingCommands);
   dropHidden_.use();
   visibility::dispatchGroups(static_cast<std::uint32_t>(ranges.size()));
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);

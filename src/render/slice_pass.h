@@ -2,6 +2,7 @@
 // out (docs/occlusion_queries.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "render/draw_pass.h"
 #include "scene/scene_data.h"
 #include "shared/query_structs.h"
+#include "visibility/face_pass.h"
 #include "visibility/pass_bindings.h"
 
 namespace jalousie::render {
@@ -33,6 +35,12 @@ struct SliceOrder {
   }
 };
 
+/// What culls groups of back faces of the slices.
+struct SliceFaces {
+  visibility::FacePass* pass = nullptr;  ///< null: nothing does
+  gpu::uint test = gpu::kFacesOff;
+};
+
 /// The kernels, and their buffers once they are allocated. CPU twins: visibility::buildSlices, hideObjects.
 class SlicePass {
  public:
@@ -45,11 +53,14 @@ class SlicePass {
 
   /// Writes the commands of a frame that was classified.
   void begin(const visibility::SceneBindings& scene, const visibility::ObjectBuffers& decided,
-             const culling::QueryOptions& options);
+             const culling::QueryOptions& options, const SliceFaces& faces = {});
   /// For programs that read gpu::SliceView.
   void bindView() const { viewBuffer_.bindUniform(gpu::kBindingSliceView); }
   /// What begin() wrote. @param fading  levels may fade out
-  SliceList list(bool fading) const { return {&instances_, &commands_, view_.commandCapacity, patches_, fading}; }
+  SliceList list(bool fading) const {
+    const std::uint32_t each = std::max(view_.faceCommands, 1U);
+    return {&instances_, &commands(), view_.commandCapacity * each, each, patches_, fading};
+  }
   /// gpu::uint [nodes]: samples of the nodes whose answers the CPU does not see; the caller writes them in this frame.
   const gl::Buffer& samples() {
     samplesWritten_ = true;
@@ -69,6 +80,8 @@ class SlicePass {
   static constexpr std::uint32_t kMostRanges = 8192;
 
  private:
+  /// Where the opaque surfaces of the frame are.
+  const gl::Buffer& commands() const { return view_.faceCommands > 0 ? faceCommands_ : commands_; }
   /// Writes the view, and makes all samples unknown.
   void prepare(const culling::QueryOptions& options);
 
@@ -78,6 +91,7 @@ class SlicePass {
   gl::Program hideCells_;
   gpu::SliceView view_{};
   std::uint32_t cellCount_ = 0;
+  std::uint32_t faceRanges_ = 0;  ///< of a place; 0: the scene has no groups
   bool patches_ = false;
   bool samplesWritten_ = true;  ///< not cleared to kSamplesUnknown since they were written or made
   gl::Buffer viewBuffer_;
@@ -85,6 +99,7 @@ class SlicePass {
   gl::Buffer unitOrder_;
   gl::Buffer leafOf_;
   gl::Buffer commands_;
+  gl::Buffer faceCommands_;  ///< those of SliceFaces; empty if the scene has no groups
   gl::Buffer instances_;
   gl::Buffer samples_;
   gl::Buffer ranges_;

@@ -24,10 +24,11 @@ gpu::ListView scanView(gpu::ListView view) {
 
 }  // namespace
 
-std::uint32_t faceRanges(const scene::FaceTables& faces, std::uint32_t capacity) {
-  if (faces.nodes.empty()) return 0;
-  const std::uint32_t most = kMostFaceCommands / std::max(capacity, 1U);
-  return std::clamp(most, kLeastFaceRanges, std::max(faces.mostGroups, kLeastFaceRanges));
+std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity) {
+  if (mostGroups == 0) return 0;
+  const std::uint64_t most =
+      std::max<std::uint64_t>(kMostFaceCommands / std::max<std::uint64_t>(capacity, 1), kLeastFaceRanges);
+  return static_cast<std::uint32_t>(std::min(most, std::max<std::uint64_t>(mostGroups, kLeastFaceRanges)));
 }
 
 FaceWork::FaceWork(const DrawList& list)
@@ -42,6 +43,7 @@ FacePass::FacePass(const scene::FaceTables& faces, const gl::ShaderLibrary& shad
       scanEntriesProgram_(programSource(ProgramId::kScanEntries), shaders),
       scanSumsProgram_(programSource(ProgramId::kScanSums), shaders),
       commandsProgram_(programSource(ProgramId::kFaceCommands), shaders),
+      slicesProgram_(programSource(ProgramId::kSliceFaces), shaders),
       bytes_(faces.nodes.size() * sizeof(gpu::FaceNode) + faces.lods.size() * sizeof(gpu::FaceLod) +
              faces.units.size() * sizeof(gpu::FaceUnit)),
       view_(sizeof(gpu::FaceView), GL_DYNAMIC_STORAGE_BIT, "view of back faces"),
@@ -79,6 +81,25 @@ void FacePass::cull(const DrawList& list, const FaceWork& work, gpu::uint test, 
   list.commands().bindStorage(gpu::kBindingCommands);
   run(commandsProgram_, objectGroups(capacity));
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void FacePass::cullSlices(const FaceSlices& slices, gpu::uint test, const gl::Buffer& transforms,
+                          const ObjectBuffers& decided) {
+  view_.writeValue(gpu::FaceView{test, slices.values.faceCommands - 1, 0, 0});
+  decided.view->bindUniform(gpu::kBindingCullView);
+  view_.bindUniform(gpu::kBindingFaceView);
+  slices.view.bindUniform(gpu::kBindingSliceView);
+  transforms.bindStorage(gpu::kBindingTransforms);
+  slices.order.bindStorage(gpu::kBindingFaceOrder);
+  units_.bindStorage(gpu::kBindingFaceUnits);
+  lods_.bindStorage(gpu::kBindingFaceLods);
+  decided.states->bindStorage(gpu::kBindingStates);
+  decided.marks->bindStorage(gpu::kBindingFaceMarks);
+  nodes_.bindStorage(gpu::kBindingFaceNodes);
+  slices.commands.bindStorage(gpu::kBindingCommands);
+  slicesProgram_.use();
+  dispatchGroups(objectGroups(2 * slices.values.unitCount));
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 }  // namespace jalousie::visibility

@@ -6,6 +6,7 @@
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "shared/face_structs.h"
+#include "shared/query_structs.h"
 #include "visibility/draw_list_pass.h"
 #include "visibility/pass_bindings.h"
 
@@ -16,8 +17,8 @@ struct FaceTables;
 namespace jalousie::visibility {
 
 /// Ranges that an instance may have, so that the commands of a list stay within kMostFaceCommands where they can.
-/// @param capacity  of the list   @return  0 if the scene has no groups
-std::uint32_t faceRanges(const scene::FaceTables& faces, std::uint32_t capacity);
+/// @param mostGroups  of one level   @param capacity  of the list   @return  0 without groups
+std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity);
 
 inline constexpr std::uint32_t kMostFaceCommands = 1U << 19U;
 /// However many instances a list has, each may have so many ranges.
@@ -38,7 +39,15 @@ class FaceWork {
   gl::Buffer blockSums_;
 };
 
-/// The kernels, and the groups of a scene. CPU twin: cullFaces.
+/// What a frame drawn in slices has in place of the commands of one place (slice_faces.comp).
+struct FaceSlices {
+  const gl::Buffer& commands;    ///< gpu::DrawCommand [kListSolid, kListSheet][2 * places][faceCommands]
+  const gl::Buffer& view;        ///< gpu::SliceView
+  const gl::Buffer& order;       ///< unit of each place
+  const gpu::SliceView& values;  ///< of the view; faceCommands is one more than the ranges of a place
+};
+
+/// The kernels, and the groups of a scene. CPU twins: cullFaces, sliceFaces.
 class FacePass {
  public:
   /// Errors: kLimit, kShader.
@@ -50,12 +59,16 @@ class FacePass {
   /// @param list  built for the present view   @param test  kFaces..., not kFacesOff   @param view  gpu::CullView
   void cull(const DrawList& list, const FaceWork& work, gpu::uint test, const gl::Buffer& transforms,
             const gl::Buffer& view);
+  /// Writes the commands of a frame drawn in slices. Leaves COMMAND and SHADER_STORAGE barriers.
+  /// @param decided  of what has a place
+  void cullSlices(const FaceSlices& slices, gpu::uint test, const gl::Buffer& transforms, const ObjectBuffers& decided);
 
  private:
   gl::Program rangesProgram_;
   gl::Program scanEntriesProgram_;
   gl::Program scanSumsProgram_;
   gl::Program commandsProgram_;
+  gl::Program slicesProgram_;
   std::uint64_t bytes_;
   gl::Buffer view_;
   gl::Buffer nodes_;

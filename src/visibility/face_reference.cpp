@@ -250,4 +250,23 @@ FaceCommands cullFaces(const scene::FaceTables& faces, std::span<const gpu::Tran
   return result;
 }
 
+std::vector<gpu::DrawCommand> sliceFaces(const scene::FaceTables& faces, std::span<const gpu::Transform> transforms,
+                                         const gpu::CullView& view, const gpu::FaceView& faceView,
+                                         std::span<const std::optional<FaceInstance>> places) {
+  const std::size_t each = faceView.mostRanges + 1;
+  std::vector<gpu::DrawCommand> result(2 * places.size() * each);
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    if (!places[place]) continue;
+    const FaceCommands own = cullFaces(faces, transforms, view, faceView, {&*places[place], 1});
+    for (const gpu::uint list : {gpu::kListSolid, gpu::kListSheet}) {
+      std::size_t at = (list * places.size() + place) * each;
+      for (gpu::DrawCommand command : own.commands[list]) {
+        command.baseInstance = static_cast<gpu::uint>(place);
+        result[at++] = command;
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace jalousie::visibility

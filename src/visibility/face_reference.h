@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,13 @@ struct FaceCommands {
   std::uint64_t culled = 0;                               ///< of these, triangles that are not drawn
   std::uint64_t whole = 0;                                ///< triangles without groups
 };
+
+/// Commands at fixed places. Twin of slice_faces.comp.
+/// @param places  [2 * places] what is drawn there, the second half for levels that fade out; absent: nothing
+/// @return  [kListSolid, kListSheet][2 * places][mostRanges + 1]; what is not needed is empty
+std::vector<gpu::DrawCommand> sliceFaces(const scene::FaceTables& faces, std::span<const gpu::Transform> transforms,
+                                         const gpu::CullView& view, const gpu::FaceView& faceView,
+                                         std::span<const std::optional<FaceInstance>> places);
 
 /// @param instances  in the order of the list
 FaceCommands cullFaces(const scene::FaceTables& faces, std::span<const gpu::Transform> transforms,

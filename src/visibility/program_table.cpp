@@ -46,6 +46,7 @@ std::span<const gl::ProgramSource> programTable() {
       {"hide cells", {"visibility/hide_cells.comp"}, {}},
       {"face ranges", {"visibility/face_ranges.comp"}, {}},
       {"face commands", {"visibility/face_commands.comp"}, {}},
+      {"slice faces", {"visibility/slice_faces.comp"}, {}},
   };
   return kPrograms;
 }

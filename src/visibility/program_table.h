@@ -49,6 +49,7 @@ enum class ProgramId : unsigned {
   kHideCells,
   kFaceRanges,
   kFaceCommands,
+  kSliceFaces,
 };
 
 /// All programs, in the order of ProgramId.

@@ -141,7 +141,8 @@ class FaceGl : public test::GlTest {
 };
 
 TEST_F(FaceGl, EqualsTheTwinForEveryTest) {
-  for (const asset::FaceGrouping grouping : {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters}) {
+  for (const asset::FaceGrouping grouping :
+       {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters, asset::FaceGrouping::kMeshlets}) {
     asset::SceneFile file = mixedFile(150);
     test::groupFaces(file, grouping);
     const scene::SceneData scene = scene::buildScene(file, {.faces = true});

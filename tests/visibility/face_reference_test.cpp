@@ -73,7 +73,8 @@ double snappedArea(const scene::SceneData& scene, const gpu::CullView& view, con
 
 TEST(FaceReference, CulledTrianglesAreNoFrontFacesAfterTheirVerticesWereRounded) {
   Random random(7);
-  for (const asset::FaceGrouping grouping : {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters}) {
+  for (const asset::FaceGrouping grouping :
+       {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters, asset::FaceGrouping::kMeshlets}) {
     const scene::SceneData scene = groupedSpheres(11, grouping);
     ASSERT_EQ(scene.chains[0].lodCount, scene.lods.size());
     std::uint64_t culled[5] = {};

@@ -156,7 +156,7 @@ const std::map<std::string, Layout>& expectedLayouts() {
         {JAL_FIELD("SliceViewBlock.", SliceView, objectCount), JAL_FIELD("SliceViewBlock.", SliceView, unitCount),
          JAL_FIELD("SliceViewBlock.", SliceView, commandCapacity), JAL_FIELD("SliceViewBlock.", SliceView, listCount),
          JAL_FIELD("SliceViewBlock.", SliceView, threshold), JAL_FIELD("SliceViewBlock.", SliceView, importance),
-         JAL_FIELD("SliceViewBlock.", SliceView, reserved1), JAL_FIELD("SliceViewBlock.", SliceView, reserved2)}}},
+         JAL_FIELD("SliceViewBlock.", SliceView, faceCommands), JAL_FIELD("SliceViewBlock.", SliceView, reserved0)}}},
       {"CullViewBlock",
        {0,
         {JAL_FIELD("CullViewBlock.", CullView, clipFromWorld),

@@ -5,8 +5,12 @@
 
 namespace jalousie::render {
 
+bool FrameContext::cullsFaces() const {
+  return faces != nullptr && faceCulling != FaceCulling::kOff && !has(cullView.traits, gpu::kTraitPatches);
+}
+
 bool FrameContext::cullsFaces(const visibility::DrawList& list) const {
-  if (faces == nullptr || faceCulling == FaceCulling::kOff || has(cullView.traits, gpu::kTraitPatches)) return false;
+  if (!cullsFaces()) return false;
   return list.view().phase == gpu::kMarkLate || has(cullView.traits, gpu::kTraitTwoPhases);
 }
 
@@ -19,6 +23,10 @@ void FrameContext::buildList(visibility::DrawList& list, const char* name) const
   const gl::PassTimer::Scope pass(timer, "back faces");
   faces->pass.cull(list, list.view().phase == gpu::kMarkLate ? faces->late : faces->early,
                    static_cast<gpu::uint>(faceCulling), scene.transforms(), *visibility.decided().view);
+}
+
+SliceFaces FrameContext::sliceFaces() const {
+  return cullsFaces() ? SliceFaces{&faces->pass, static_cast<gpu::uint>(faceCulling)} : SliceFaces{};
 }
 
 void FrameContext::limitTriangles(const visibility::DrawList& list) const {

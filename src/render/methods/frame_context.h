@@ -8,6 +8,7 @@
 #include "policy/face_culling.h"
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
+#include "render/slice_pass.h"
 #include "render/targets.h"
 #include "visibility/budget_pass.h"
 #include "visibility/depth_pyramid_pass.h"
@@ -54,6 +55,8 @@ struct FrameContext {
 
   /// Fills a list with the objects that the flags put on it, without their back faces where groups of them are culled.
   void buildList(visibility::DrawList& list, const char* pass) const;
+  /// What culls the back faces of a frame drawn in slices.
+  SliceFaces sliceFaces() const;
   /// Where the frame has a budget of triangles: makes levels coarser if the next phase would exceed it.
   /// @param list  of the next phase, not built yet
   void limitTriangles(const visibility::DrawList& list) const;
@@ -69,6 +72,7 @@ struct FrameContext {
  private:
   /// The occlusion map has other pixels than the frame, and patches have no groups: their lists stay whole.
   bool cullsFaces(const visibility::DrawList& list) const;
+  bool cullsFaces() const;
 };
 
 }  // namespace jalousie::render

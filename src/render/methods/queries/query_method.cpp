@@ -22,7 +22,7 @@ void QueryMethod::decide(const FrameContext& frame) noexcept {
       schedule_->forget(scene_->queries());
       version_ = scene_->version();
     }
-    scene_->slices().begin(frame.scene.bindings(), frame.visibility.decided(), frame.queryOptions);
+    scene_->slices().begin(frame.scene.bindings(), frame.visibility.decided(), frame.queryOptions, frame.sliceFaces());
   }
   frame.setCullingCamera();
   glEnable(GL_FRAMEBUFFER_SRGB);  // before the clear: it converts the background too
