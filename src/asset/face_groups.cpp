@@ -1,9 +1,12 @@
 // Groups by dividing triangles in space and direction, then joining parts where one test costs less than two.
 #include "asset/face_groups.h"
 
+#include <meshoptimizer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/check.h"
@@ -21,6 +24,12 @@ constexpr std::size_t kMostUneven = 16;
 /// Size of the space that the eye is expected in, in sizes of the object.
 constexpr double kEyeSpace = 3.0;
 constexpr std::uint32_t kEyes = 128;
+
+// Meshlets of the size that meshoptimizer's manual recommends, with the weight of facing that it recommends for culling
+// by cones.
+constexpr std::size_t kMeshletVertices = 64;
+constexpr std::size_t kMeshletTriangles = 124;
+constexpr float kMeshletConeWeight = 0.5F;
 
 int majorAxis(const glm::dvec3& v) {
   const glm::dvec3 a = glm::abs(v);
@@ -187,6 +196,62 @@ FaceTree sortByNormal(std::span<std::uint32_t> part, std::span<const Facet> face
   return tree;
 }
 
+/// Corners of triangles that share those of equal position.
+struct Corners {
+  std::vector<unsigned int> indices;  ///< [3 * triangles]
+  std::size_t count = 0;              ///< of different positions
+  std::vector<glm::vec3> positions;   ///< [count]
+};
+
+Corners cornersOf(std::span<const Triangle> triangles, std::span<const std::uint32_t> part) {
+  std::vector<glm::vec3> corners;
+  for (const std::uint32_t t : part)
+    corners.insert(corners.end(), triangles[t].begin(), triangles[t].end());
+  Corners result;
+  result.indices.resize(corners.size());
+  result.count = meshopt_generateVertexRemap(result.indices.data(), nullptr, corners.size(), corners.data(),
+                                             corners.size(), sizeof(glm::vec3));
+  result.positions.resize(result.count);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    result.positions[result.indices[i]] = corners[i];
+  return result;
+}
+
+/// Sorts by meshlet. Meshoptimizer returns the corners of a meshlet's triangles, not their numbers: of triangles with
+/// the same corners, the first that is left is taken. @param part  none is degenerate
+/// @return  a group for each meshlet
+FaceTree sortByMeshlet(std::span<std::uint32_t> part, std::span<const Triangle> triangles) {
+  const Corners corners = cornersOf(triangles, part);
+  std::multimap<std::array<unsigned int, 3>, std::uint32_t> numbers;  // equal keys keep their order
+  for (std::size_t i = 0; i < part.size(); ++i)
+    numbers.emplace(std::array{corners.indices[3 * i], corners.indices[3 * i + 1], corners.indices[3 * i + 2]},
+                    part[i]);
+  std::vector<meshopt_Meshlet> meshlets(
+      meshopt_buildMeshletsBound(corners.indices.size(), kMeshletVertices, kMeshletTriangles));
+  std::vector<unsigned int> vertices(meshlets.size() * kMeshletVertices);
+  std::vector<unsigned char> locals(meshlets.size() * kMeshletTriangles * 3);
+  meshlets.resize(meshopt_buildMeshlets(meshlets.data(), vertices.data(), locals.data(), corners.indices.data(),
+                                        corners.indices.size(), &corners.positions[0].x, corners.count,
+                                        sizeof(glm::vec3), kMeshletVertices, kMeshletTriangles, kMeshletConeWeight));
+  FaceTree tree;
+  std::size_t at = 0;
+  for (const meshopt_Meshlet& meshlet : meshlets) {
+    const std::size_t first = at;
+    for (std::size_t k = 0; k < meshlet.triangle_count; ++k) {
+      const unsigned char* local = &locals[meshlet.triangle_offset + 3 * k];
+      const auto corner = [&](std::size_t c) { return vertices[meshlet.vertex_offset + local[c]]; };
+      const auto found = numbers.find({corner(0), corner(1), corner(2)});
+      JAL_CHECK((found != numbers.end()));
+      part[at++] = found->second;
+      numbers.erase(found);
+    }
+    std::sort(part.begin() + static_cast<std::ptrdiff_t>(first), part.begin() + static_cast<std::ptrdiff_t>(at));
+    tree.push_back(static_cast<std::uint32_t>(meshlet.triangle_count));
+  }
+  JAL_CHECK(at == part.size());
+  return tree;
+}
+
 /// Moves thin triangles behind the others, both in their order. @return  the number of the others
 std::size_t putThinLast(std::vector<std::uint32_t>& order, std::span<const Facet> facets) {
   std::vector<double> radii;
@@ -295,6 +360,8 @@ FaceOrder groupFaces(std::span<const Triangle> triangles, const Aabb& bounds, Fa
   const std::span<std::uint32_t> grouped = std::span(result.triangles).first(thick);
   if (grouping == FaceGrouping::kMasks) {
     result.tree = sortByNormal(grouped, facets);
+  } else if (thick > 0 && grouping == FaceGrouping::kMeshlets) {
+    result.tree = sortByMeshlet(grouped, triangles);
   } else if (thick > 0) {
     Clusters(triangles, facets, bounds).run(grouped, result.tree);
   }

@@ -23,7 +23,11 @@ enum class FaceGrouping : std::uint32_t {
   kOff,
   kMasks,     ///< a group is one cell of the normals
   kClusters,  ///< groups and trees by expected time
+  kMeshlets,  ///< meshoptimizer's meshlets, which follow connectivity
 };
+
+inline constexpr FaceGrouping kFaceGroupings[] = {FaceGrouping::kOff, FaceGrouping::kMasks, FaceGrouping::kClusters,
+                                                  FaceGrouping::kMeshlets};
 
 using Triangle = std::array<glm::vec3, 3>;
 
@@ -85,7 +89,7 @@ inline constexpr double kFaceTestCost = 2.0;
 
 /// Groups triangles. Thin triangles, whose facing the rasteriser may change, are in a group of their own at the end.
 /// @param bounds  of the object: clusters expect the eye within three times its size
-/// @param grouping  kMasks or kClusters   @return  no tree without triangles
+/// @param grouping  not kOff   @return  no tree without triangles
 FaceOrder groupFaces(std::span<const Triangle> triangles, const Aabb& bounds, FaceGrouping grouping);
 
 /// Triangles of all groups of a tree. nullopt: it is no list of complete trees.

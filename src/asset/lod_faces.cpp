@@ -18,7 +18,6 @@ constexpr const char* kFaces = "faces";
 constexpr const char* kKind = "kind";
 constexpr const char* kTrees = "trees";
 constexpr const char* kOwn = "jalousie";
-constexpr FaceGrouping kGroupings[] = {FaceGrouping::kOff, FaceGrouping::kMasks, FaceGrouping::kClusters};
 
 [[noreturn]] void wrongFaces(const std::string& what) {
   throw Error(ErrorCode::kMalformed, "extras.jalousie.faces" + what);
@@ -26,9 +25,9 @@ constexpr FaceGrouping kGroupings[] = {FaceGrouping::kOff, FaceGrouping::kMasks,
 
 FaceGrouping groupingOf(const tinygltf::Value& kind) {
   if (kind.IsString())
-    for (const FaceGrouping grouping : {FaceGrouping::kMasks, FaceGrouping::kClusters})
-      if (kind.Get<std::string>() == nameOf(grouping)) return grouping;
-  wrongFaces(".kind is not masks or clusters");
+    for (const FaceGrouping grouping : kFaceGroupings)
+      if (grouping != FaceGrouping::kOff && kind.Get<std::string>() == nameOf(grouping)) return grouping;
+  wrongFaces(".kind is not masks, clusters or meshlets");
 }
 
 FaceTree readTree(const tinygltf::Value& list, std::size_t primitive) {
@@ -64,8 +63,8 @@ void checkTree(const FaceTree& tree, std::size_t primitive, std::uint64_t triang
 }  // namespace
 
 const char* nameOf(FaceGrouping grouping) {
-  constexpr const char* kNames[] = {"off", "masks", "clusters"};
-  static_assert(std::size(kNames) == std::size(kGroupings));
+  constexpr const char* kNames[] = {"off", "masks", "clusters", "meshlets"};
+  static_assert(std::size(kNames) == std::size(kFaceGroupings));
   return kNames[static_cast<std::size_t>(grouping)];
 }
 

@@ -1,6 +1,6 @@
 // Groups of triangles of similar facing in the baked format: extras.jalousie.faces of a level's mesh.
 //
-//   "faces": {"kind": "masks" or "clusters", "trees": [[n0, n1, ...], 0, ...]}
+//   "faces": {"kind": "masks", "clusters" or "meshlets", "trees": [[n0, n1, ...], 0, ...]}
 //
 // For each primitive trees of groups in preorder: 0 is a node whose two parts follow, another number a group of so many
 // triangles, in the order of the primitive's triangles. 0 instead of a list: the primitive is left whole. (Readers drop
@@ -23,7 +23,7 @@ struct LodFaces {
   friend bool operator==(const LodFaces&, const LodFaces&) = default;
 };
 
-/// The value of "kind", also of the baker's option: "off", "masks", "clusters".
+/// The value of "kind", also of the baker's option: "off", "masks", "clusters", "meshlets".
 const char* nameOf(FaceGrouping grouping);
 
 /// Adds groups to extras.jalousie. Nothing without groups. @pre setLodInfo with measures was called, and setLodCells if

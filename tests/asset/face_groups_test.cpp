@@ -171,7 +171,7 @@ std::vector<Triangle> ball(std::uint32_t rings, std::uint32_t thin) {
 
 TEST(FaceGroups, AreAPermutationInWholeTrees) {
   const std::vector<Triangle> triangles = ball(24, 7);
-  for (const FaceGrouping grouping : {FaceGrouping::kMasks, FaceGrouping::kClusters}) {
+  for (const FaceGrouping grouping : {FaceGrouping::kMasks, FaceGrouping::kClusters, FaceGrouping::kMeshlets}) {
     const FaceOrder order = groupFaces(triangles, boundsOf(triangles), grouping);
     std::vector<std::uint32_t> sorted = order.triangles;
     std::sort(sorted.begin(), sorted.end());
@@ -234,7 +234,7 @@ TEST(FaceGroups, OfNothingAndOfThinTrianglesAlone) {
   EXPECT_TRUE(groupFaces({}, {}, FaceGrouping::kClusters).tree.empty());
   const glm::vec3 p(1.0F);
   const std::vector<Triangle> flat(5, Triangle{p, p, p});
-  for (const FaceGrouping grouping : {FaceGrouping::kMasks, FaceGrouping::kClusters})
+  for (const FaceGrouping grouping : {FaceGrouping::kMasks, FaceGrouping::kClusters, FaceGrouping::kMeshlets})
     EXPECT_EQ(groupFaces(flat, boundsOf(flat), grouping).tree, FaceTree{5});
 }
 

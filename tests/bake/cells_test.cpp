@@ -133,10 +133,11 @@ TEST(BakedCells, EveryTriangleOfTheUndividedBakeIsThereOnceAndNoOther) {
 TEST(BakedFaces, AreGroupsOfTheSameTrianglesWithinTheirCells) {
   for (const CellOptions& cells : {CellOptions{0, true}, CellOptions{256, false}}) {
     const asset::SceneFile plain = sceneWith(cells);
-    for (const asset::FaceGrouping faces : {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters}) {
+    for (const asset::FaceGrouping faces :
+         {asset::FaceGrouping::kMasks, asset::FaceGrouping::kClusters, asset::FaceGrouping::kMeshlets}) {
       tinygltf::Model model = twoSpheres();
       model.materials[1].doubleSided = true;
-      EXPECT_GT(bakeWith(model, cells, 5, faces).at(0).faceGroups, 20U);
+      EXPECT_GT(bakeWith(model, cells, 5, faces).at(0).faceGroups, 10U);
       const std::vector<std::byte> file = asset::encodeGlb(model);
       tinygltf::Model again = twoSpheres();
       again.materials[1].doubleSided = true;

@@ -288,20 +288,20 @@ void addCellOption(CLI::App& program, CellOptions& cells) {
 void addFaceOption(CLI::App& program, asset::FaceGrouping& faces) {
   using Grouping = asset::FaceGrouping;
   std::vector<std::string> names;
-  for (const Grouping grouping : {Grouping::kOff, Grouping::kMasks, Grouping::kClusters})
+  for (const Grouping grouping : asset::kFaceGroupings)
     names.emplace_back(asset::nameOf(grouping));
   program
       .add_option_function<std::string>(
           "--backface",
           [&faces](const std::string& name) {
-            for (const Grouping grouping : {Grouping::kOff, Grouping::kMasks, Grouping::kClusters})
+            for (const Grouping grouping : asset::kFaceGroupings)
               if (name == asset::nameOf(grouping)) faces = grouping;
           },
           "Order the triangles of each cell by groups that face alike, so that render --backface culls back faces "
           "before they are drawn. masks: by the direction of their normals; clusters: by direction and place, with a "
-          "tree above them; off: no groups")
+          "tree above them; meshlets: meshoptimizer's meshlets, to compare with; off: no groups")
       ->check(CLI::IsMember(names).description(""))
-      ->type_name("off|masks|clusters")
+      ->type_name("off|masks|clusters|meshlets")
       ->default_str("off");
 }
 
