@@ -54,8 +54,9 @@ std::string headLine(const Columns& columns) {
   std::string text = "frame,configuration";
   for (const std::string_view key : kCounts)
     text += fmt::format(",{}", key);
-  for (const std::string_view key : kQueryCounts)
-    text += fmt::format(",{}", key);
+  for (const CountGroup& group : kCountGroups)
+    for (const std::string_view key : group.keys)
+      text += fmt::format(",{}", key);
   text += ",visible,visible_switched,lost,wrong_pixels,flip,flip_covered,psnr,ssim,butteraugli,temporal_flip,frame_ms";
   for (const std::string& pass : columns.passes)
     text += "," + csvField(pass + " ms");
@@ -80,8 +81,9 @@ std::string line(const Sample& sample, const std::string& name, const Columns& c
   std::string text = fmt::format("{},{}", sample.frame, csvField(name));
   for (const std::string_view key : kCounts)
     text += fmt::format(",{}", countOf(sample.statistics, key));
-  for (const std::string_view key : kQueryCounts)
-    text += fmt::format(",{}", countOf(sample.statistics, key));
+  for (const CountGroup& group : kCountGroups)
+    for (const std::string_view key : group.keys)
+      text += fmt::format(",{}", countOf(sample.statistics, key));
   text += sample.visible ? fmt::format(",{}", *sample.visible) : ",";
   text += sample.switched ? fmt::format(",{}", *sample.switched) : ",";
   text += sample.lost ? fmt::format(",{}", *sample.lost) : ",";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "core/check.h"
@@ -47,10 +48,23 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"query_decision_ns", &render::FrameStatistics::decisionNs},
 };
 
-/// Of the modes that ask occlusion queries: what a summary and frames.csv show of them.
+/// Counts of one technique, as a summary and frames.csv show them.
+struct CountGroup {
+  const char* name;                               ///< of the object in the summary
+  std::uint64_t render::FrameStatistics::*leads;  ///< the technique was used where one of both is not 0
+  std::uint64_t render::FrameStatistics::*orLeads;
+  std::span<const char* const> keys;
+};
+
 inline constexpr const char* kQueryCounts[] = {"queries",           "query_boxes",    "query_waits",
                                                "query_round_trips", "query_switches", "slices",
                                                "nodes_visited",     "plane_tests",    "query_decision_ns"};
+inline constexpr const char* kFaceCounts[] = {"faces_tested", "faces_culled", "faces_whole"};
+
+inline constexpr CountGroup kCountGroups[] = {
+    {"queries", &render::FrameStatistics::queries, &render::FrameStatistics::queries, kQueryCounts},
+    {"faces", &render::FrameStatistics::facesTested, &render::FrameStatistics::facesWhole, kFaceCounts},
+};
 
 /// @pre the key is in the table (checked)
 inline const StatisticsField& statisticsField(std::string_view key) {

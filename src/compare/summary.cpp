@@ -101,13 +101,14 @@ void addVisible(ordered_json& json, const std::vector<const Sample*>& samples) {
   json["drawn_per_visible"] = ratio.empty() ? ordered_json(nullptr) : toJson(spreadOf(ratio));
 }
 
-/// What occlusion queries took; null where none were asked.
-ordered_json queriesJson(const std::vector<const Sample*>& samples) {
-  const bool asks =
-      std::any_of(samples.begin(), samples.end(), [](const Sample* s) { return s->statistics.queries > 0; });
-  if (!asks) return nullptr;
+/// Counts of a technique; null where it was not used.
+ordered_json groupJson(const CountGroup& group, const std::vector<const Sample*>& samples) {
+  const bool used = std::any_of(samples.begin(), samples.end(), [&](const Sample* s) {
+    return s->statistics.*group.leads > 0 || s->statistics.*group.orLeads > 0;
+  });
+  if (!used) return nullptr;
   ordered_json json;
-  for (const char* key : kQueryCounts) {
+  for (const char* key : group.keys) {
     const auto value = statisticsField(key).value;
     json[key] = toJson(spreadOf(valuesOf(samples, [&](const Sample& s) { return s.statistics.*value; })));
   }
@@ -267,7 +268,8 @@ ordered_json configurationJson(const Results& results, const Configuration& conf
   json["draws"] = spread([](const Sample& s) { return s.statistics.draws; });
   json["drawn"] = spread([](const Sample& s) { return s.statistics.drawn; });
   addVisible(json, samples);
-  json["queries"] = queriesJson(samples);
+  for (const CountGroup& group : kCountGroups)
+    json[group.name] = groupJson(group, samples);
   json["culled_frustum"] = spread([](const Sample& s) { return s.statistics.culledFrustum; });
   json["culled_occlusion"] = spread([](const Sample& s) { return s.statistics.culledOcclusion; });
   json["lod_histogram_mean"] = meanHistogram(samples);

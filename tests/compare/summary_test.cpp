@@ -331,6 +331,7 @@ TEST(SummaryJson, KeysAreStable) {
                                "visible",
                                "drawn_per_visible",
                                "queries",
+                               "faces",
                                "culled_frustum",
                                "culled_occlusion",
                                "lod_histogram_mean",
@@ -358,6 +359,23 @@ TEST(SummaryJson, KeysAreStable) {
   EXPECT_EQ(keysOf(sweep["triangles_at_flip"][0]), (Keys{"flip", "triangles"}));
   EXPECT_EQ(keysOf(sweep["flip_at_triangles"]), (Keys{"of", "rows"}));
   EXPECT_EQ(keysOf(sweep["flip_at_triangles"]["rows"][0]), (Keys{"tau", "triangles", "flip"}));
+}
+
+TEST(SummaryJson, HasTheCountsOfTechniquesThatWereUsed) {
+  Results results = wholeResults();
+  for (Sample& sample : results.samples) {
+    if (sample.configuration == 0) continue;
+    sample.statistics.facesTested = 80;
+    sample.statistics.facesCulled = 30;
+  }
+  const ordered_json summary = summaryOf(results, {"one", "two"});
+  EXPECT_TRUE(summary["configurations"][0]["faces"].is_null());
+  EXPECT_TRUE(summary["configurations"][1]["queries"].is_null());
+  const ordered_json& faces = summary["configurations"][1]["faces"];
+  EXPECT_EQ(keysOf(faces), (Keys{"faces_tested", "faces_culled", "faces_whole"}));
+  EXPECT_EQ(faces["faces_tested"]["median"], 80);
+  EXPECT_EQ(faces["faces_culled"]["median"], 30);
+  EXPECT_EQ(faces["faces_whole"]["median"], 0);
 }
 
 TEST(SummaryJson, SaysWhatWasMeasuredAndWhere) {

@@ -183,6 +183,11 @@ function resultColumns() {
     const get = of((c) => c.queries?.[key]?.median);
     return { group: 'Occlusion queries', head, better: -1, key: get, cell: (i) => (get(i) == null ? '' : format(get(i))) };
   };
+  const faces = (head, key) => {
+    const get = of((c) => (c.faces && c.triangles.median > 0 ? c.faces[key].median / c.triangles.median : null));
+    return { group: 'Back faces', head, better: key === 'faces_culled' ? 1 : -1, key: get,
+      cell: (i) => (get(i) == null ? '' : percent(get(i))) };
+  };
   const lost = (head, key) => ({
     group: 'Lost', head, better: -1, key: of((c) => c.lost?.[key]), cell: (i) => whole(of((c) => c.lost?.[key])(i)),
   });
@@ -201,6 +206,8 @@ function resultColumns() {
     queries('round trips', 'query_round_trips'),
     queries('state changes', 'query_switches'),
     queries('CPU ms', 'query_decision_ns', (ns) => small(ns / 1e6)),
+    faces('culled', 'faces_culled'),
+    faces('left whole', 'faces_whole'),
     error('FLIP', 'flip', 'largest', '\u2264', small, -1),
     error('covered', 'flip_covered', 'largest', '\u2264', small, -1),
     error('PSNR', 'psnr', 'least', '\u2265', decibel, 1),
