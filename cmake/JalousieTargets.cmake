@@ -84,7 +84,9 @@ function(jalousie_add_test name)
     set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # the files of these programs share names
     list(APPEND environment "LP_NUM_THREADS=1" "ASAN_OPTIONS=detect_leaks=0")
     add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} ENVIRONMENT "${environment}")
+    # ctest begins with the programs of the largest cost, so that none of the long ones is left over at the end.
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT}
+      ENVIRONMENT "${environment}")
   else()
     if(NOT TARGET cpu_tests)
       add_custom_target(cpu_tests)
