@@ -152,9 +152,9 @@ void measureScene(const Arguments& arguments, const std::string& name, nlohmann:
     return node.next == static_cast<gpu::uint>(&node - scene.faces.nodes.data()) + 1;
   });
   fmt::print(
-      "\n{}: {} objects, {} cells, {} groups of {:.0f} triangles, {:.0f} kB; pictures equal at all {} levels\n\n", name,
+      "\n{}: {} objects, {} cells, {} groups{}, {:.0f} kB; pictures equal at all {} levels\n\n", name,
       scene.objects.size(), scene.cells.objects.size(), groups,
-      static_cast<double>(scene.indices.size()) / 3.0 / static_cast<double>(std::max<std::ptrdiff_t>(groups, 1)),
+      groups > 0 ? fmt::format(" of {} triangles", scene.indices.size() / 3 / static_cast<std::size_t>(groups)) : "",
       static_cast<double>(bytes) / 1000.0, levels);
   fmt::print("| test | left whole, % | culled of all, % | culled of tested, % | commands a frame | time over off |\n");
   fmt::print("|---|---|---|---|---|---|\n");

@@ -79,7 +79,7 @@ FrameParts::FrameParts(const scene::SceneData& sceneData, std::uint32_t width, s
               map,          pyramid,
               queryOptions, occluderOptions,
               queryFigures, faces ? &*faces : nullptr,
-              faceCulling},
+              faceCulling,  cullMode},
       drawing(context, scene, shaders) {
   methods.resize(width, height);
   if (!scene.motion.empty()) motion.emplace(scene.motion, shaders);

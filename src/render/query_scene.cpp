@@ -20,11 +20,11 @@ std::uint32_t mostNodes(const scene::SceneData& scene) {
 
 MemoryEstimate needsOf(const scene::SceneData& scene) {
   const std::uint64_t lists = scene.maxPatchTriangles > 0 ? gpu::kListCount : gpu::kListsPerDetail;
-  const std::uint64_t units = scene.drawn().objects.size();
+  const auto units = static_cast<std::uint32_t>(scene.drawn().objects.size());
   MemoryEstimate needs;
   needs.add(units, 2 * (lists * sizeof(gpu::DrawCommand) + sizeof(gpu::uint)) + 2 * sizeof(gpu::uint),
             scene::counted(units, "slices"));
-  if (const std::uint32_t ranges = visibility::faceRanges(scene.faces.mostGroups, 2 * units); ranges > 0)
+  if (const std::uint32_t ranges = sliceRanges(scene.faces.mostGroups, units); ranges > 0)
     needs.add(units, 4 * (ranges + 1) * sizeof(gpu::DrawCommand), "commands of slices without back faces");
   constexpr std::uint64_t kNode = sizeof(culling::HierarchyNode) + 2 * sizeof(Aabb) + 64;  // with its history
   needs.add(scene.objects.size(), 2 * kNode + 2 * sizeof(Aabb) + 8 * sizeof(gpu::uint),

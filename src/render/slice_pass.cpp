@@ -20,6 +20,10 @@ void fill(gl::Buffer& buffer, std::span<const T> elements) {
 
 }  // namespace
 
+std::uint32_t sliceRanges(std::uint32_t mostGroups, std::uint32_t units) {
+  return visibility::faceRanges(mostGroups, std::uint64_t{2} * units, visibility::kMostSliceCommands);
+}
+
 void SliceOrder::follow(const scene::SceneData& scene, const culling::SpatialHierarchy& tree) {
   objects = tree.objects;
   leafOf.resize(tree.objects.size());
@@ -64,7 +68,7 @@ void SlicePass::allocate(const scene::SceneData& scene, std::uint32_t nodes) {
   leafOf_ = words(view_.objectCount, GL_DYNAMIC_STORAGE_BIT, "leaves of objects");
   commands_ = visibility::makeStorage(std::size_t{view_.listCount} * view_.commandCapacity * sizeof(gpu::DrawCommand),
                                       0, "commands of slices");
-  faceRanges_ = visibility::faceRanges(scene.faces.mostGroups, view_.commandCapacity);
+  faceRanges_ = sliceRanges(scene.faces.mostGroups, view_.unitCount);
   if (faceRanges_ > 0)
     faceCommands_ =
         visibility::makeStorage(std::size_t{2} * view_.commandCapacity * (faceRanges_ + 1) * sizeof(gpu::DrawCommand),

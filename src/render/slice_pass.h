@@ -35,6 +35,10 @@ struct SliceOrder {
   }
 };
 
+/// Ranges of indices that each place may have where groups of back faces are culled; 0 without groups.
+/// @param mostGroups  of one level   @param units  with a place each
+std::uint32_t sliceRanges(std::uint32_t mostGroups, std::uint32_t units);
+
 /// What culls groups of back faces of the slices.
 struct SliceFaces {
   visibility::FacePass* pass = nullptr;  ///< null: nothing does

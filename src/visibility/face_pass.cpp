@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/check.h"
 #include "scene/face_tables.h"
 #include "visibility/dispatch.h"
 #include "visibility/program_table.h"
@@ -24,11 +25,10 @@ gpu::ListView scanView(gpu::ListView view) {
 
 }  // namespace
 
-std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity) {
+std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity, std::uint32_t most) {
   if (mostGroups == 0) return 0;
-  const std::uint64_t most =
-      std::max<std::uint64_t>(kMostFaceCommands / std::max<std::uint64_t>(capacity, 1), kLeastFaceRanges);
-  return static_cast<std::uint32_t>(std::min(most, std::max<std::uint64_t>(mostGroups, kLeastFaceRanges)));
+  const std::uint64_t each = std::max<std::uint64_t>(most / std::max<std::uint64_t>(capacity, 1), kLeastFaceRanges);
+  return static_cast<std::uint32_t>(std::min(each, std::max<std::uint64_t>(mostGroups, kLeastFaceRanges)));
 }
 
 FaceWork::FaceWork(const DrawList& list)
@@ -51,11 +51,12 @@ FacePass::FacePass(const scene::FaceTables& faces, const gl::ShaderLibrary& shad
       lods_(uploadStorage(faces.lods, "levels of groups")),
       units_(uploadStorage(faces.units, "objects of groups")) {}
 
-void FacePass::cull(const DrawList& list, const FaceWork& work, gpu::uint test, const gl::Buffer& transforms,
+void FacePass::cull(const DrawList& list, const FaceWork& work, gpu::FaceView values, const gl::Buffer& transforms,
                     const gl::Buffer& view) {
   const std::uint32_t capacity = work.view_.capacity;
   if (capacity == 0) return;
-  view_.writeValue(gpu::FaceView{test, work.ranges_, 0, 0});
+  JAL_CHECK(values.mostRanges <= work.ranges_);
+  view_.writeValue(values);
   const auto run = [](const gl::Program& program, std::uint32_t groups) {
     program.use();
     dispatchGroups(groups);

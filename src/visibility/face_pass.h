@@ -16,19 +16,24 @@ struct FaceTables;
 
 namespace jalousie::visibility {
 
-/// Ranges that an instance may have, so that the commands of a list stay within kMostFaceCommands where they can.
-/// @param mostGroups  of one level   @param capacity  of the list   @return  0 without groups
-std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity);
-
+/// Commands of a list: only those in front that are used are drawn.
 inline constexpr std::uint32_t kMostFaceCommands = 1U << 19U;
+/// Commands of a frame drawn in slices: empty ones between those that are used are drawn, too.
+inline constexpr std::uint32_t kMostSliceCommands = 1U << 15U;
 /// However many instances a list has, each may have so many ranges.
 inline constexpr std::uint32_t kLeastFaceRanges = 4;
+
+/// Ranges that an instance may have, so that the commands stay within a limit where they can.
+/// @param mostGroups  of one level   @param capacity  instances   @return  0 without groups
+std::uint32_t faceRanges(std::uint64_t mostGroups, std::uint64_t capacity, std::uint32_t most = kMostFaceCommands);
 
 /// What the kernels need for one list. Everything is allocated once.
 class FaceWork {
  public:
   /// @param list  with DrawListOptions::faceRanges   Errors: kLimit
   explicit FaceWork(const DrawList& list);
+  /// Ranges of an instance that there is room for.
+  std::uint32_t ranges() const { return ranges_; }
 
  private:
   friend class FacePass;
@@ -56,8 +61,9 @@ class FacePass {
   /// Bytes of the tables of groups.
   std::uint64_t bytes() const { return bytes_; }
   /// Replaces the commands of the solid and sheet lists. Leaves COMMAND and BUFFER_UPDATE barriers.
-  /// @param list  built for the present view   @param test  kFaces..., not kFacesOff   @param view  gpu::CullView
-  void cull(const DrawList& list, const FaceWork& work, gpu::uint test, const gl::Buffer& transforms,
+  /// @param list  built for the present view   @param view  gpu::CullView   @param values  test, not kFacesOff; at most
+  /// as many ranges as work has room for
+  void cull(const DrawList& list, const FaceWork& work, gpu::FaceView values, const gl::Buffer& transforms,
             const gl::Buffer& view);
   /// Writes the commands of a frame drawn in slices. Leaves COMMAND and SHADER_STORAGE barriers.
   /// @param decided  of what has a place

@@ -128,7 +128,8 @@ class FaceGl : public test::GlTest {
         gpu::CullView view = makeView(scene, camera, {640, 360}, 0.0F, {.cullMode = CullMode::kHiz});
         view.cellCount = frame.buffers.cellCount();
         frame.build(view, seed + test);
-        frame.faces.cull(frame.list, frame.work, test, frame.buffers.transforms(), *frame.pass.decided().view);
+        frame.faces.cull(frame.list, frame.work, {test, options.faceRanges, 0, 0}, frame.buffers.transforms(),
+                         *frame.pass.decided().view);
         const FaceCommands expected =
             cullFaces(scene.faces, scene.transforms, view, {test, options.faceRanges, 0, 0}, frame.instances());
         expectCommands(frame, expected);

@@ -1,6 +1,8 @@
 // Steps that several culling methods share.
 #include "render/methods/frame_context.h"
 
+#include <algorithm>
+
 #include "policy/traits.h"
 
 namespace jalousie::render {
@@ -21,8 +23,12 @@ void FrameContext::buildList(visibility::DrawList& list, const char* name) const
   }
   if (!cullsFaces(list)) return;
   const gl::PassTimer::Scope pass(timer, "back faces");
-  faces->pass.cull(list, list.view().phase == gpu::kMarkLate ? faces->late : faces->early,
-                   static_cast<gpu::uint>(faceCulling), scene.transforms(), *visibility.decided().view);
+  const visibility::FaceWork& work = list.view().phase == gpu::kMarkLate ? faces->late : faces->early;
+  // The figures of a frame drawn in slices are those of the late list.
+  const bool slices = rowOf(cullMode).asksQueries;
+  const std::uint32_t ranges = slices ? std::min(work.ranges(), faces->rangesInSlices) : work.ranges();
+  faces->pass.cull(list, work, {static_cast<gpu::uint>(faceCulling), ranges, 0, 0}, scene.transforms(),
+                   *visibility.decided().view);
 }
 
 SliceFaces FrameContext::sliceFaces() const {

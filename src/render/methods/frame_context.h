@@ -5,11 +5,13 @@
 #include "culling/query_figures.h"
 #include "culling/query_options.h"
 #include "gl/pass_timer.h"
+#include "policy/cull_mode.h"
 #include "policy/face_culling.h"
 #include "render/draw_pass.h"
 #include "render/scene_buffers.h"
 #include "render/slice_pass.h"
 #include "render/targets.h"
+#include "scene/face_tables.h"
 #include "visibility/budget_pass.h"
 #include "visibility/depth_pyramid_pass.h"
 #include "visibility/draw_list_pass.h"
@@ -23,11 +25,15 @@ namespace jalousie::render {
 struct FaceParts {
   FaceParts(const scene::FaceTables& tables, const visibility::DrawList& earlyList,
             const visibility::DrawList& lateList, const gl::ShaderLibrary& shaders)
-      : pass(tables, shaders), early(earlyList), late(lateList) {}
+      : pass(tables, shaders),
+        early(earlyList),
+        late(lateList),
+        rangesInSlices(sliceRanges(tables.mostGroups, static_cast<std::uint32_t>(tables.units.size()))) {}
 
   visibility::FacePass pass;
   visibility::FaceWork early;
   visibility::FaceWork late;
+  std::uint32_t rangesInSlices;  ///< of an instance where the frame is drawn in slices
 };
 
 /// Borrows everything from the renderer, for as long as the renderer lives. Nothing here allocates.
@@ -52,6 +58,7 @@ struct FrameContext {
   culling::QueryFigures& queryFigures;              ///< the method of the present frame writes them
   FaceParts* faces;                                 ///< null if the scene has no groups of triangles
   const FaceCulling& faceCulling;                   ///< of the present frame
+  const CullMode& cullMode;                         ///< of the present frame
 
   /// Fills a list with the objects that the flags put on it, without their back faces where groups of them are culled.
   void buildList(visibility::DrawList& list, const char* pass) const;
