@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "bake/bake_fixtures.h"
@@ -110,6 +111,23 @@ TEST(ObjReader, PolygonsOfAnySizeAreFans) {
     EXPECT_EQ(test::onlyPart(read(text + face + "\n")).indices.size(), 3U * static_cast<unsigned>(corners - 2))
         << corners;
   }
+}
+
+TEST(ObjReader, FacesOfTooManyCornersAreLeftOut) {
+  std::string circle;
+  std::string face = "f";
+  for (int i = 1; i <= 4097; ++i) {
+    circle += fmt::format("v {} {} 0\n", std::cos(i * 0.0015), std::sin(i * 0.0015));
+    face += fmt::format(" {}", i);
+  }
+  Notes notes;
+  const PolygonMesh mesh = readObj(bytesOf(circle + face + "\nf 1 2 3\n"), "a.obj", notes);
+  EXPECT_EQ(mesh.faces.size(), 1U);
+  EXPECT_EQ(mesh.corners.size(), 3U);
+  EXPECT_EQ(notes.lines(), std::vector<std::string>{"OBJ faces of over 4096 corners are left out: line 4098"});
+  EXPECT_EQ(codeOf([&] { read(circle + face + "\n"); }), ErrorCode::kUnsupported) << "nothing is left";
+  const std::string largest = face.substr(0, face.rfind(' '));
+  EXPECT_EQ(read(circle + largest + "\n").corners.size(), 4096U);
 }
 
 TEST(ObjReader, ContinuedLinesAndPassedOverStatements) {

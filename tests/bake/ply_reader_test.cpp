@@ -216,6 +216,22 @@ TEST(PlyReader, WhatIsPassedOverIsNoted) {
                                                      "PLY faces of fewer than three corners are left out: 1 faces"}));
 }
 
+TEST(PlyReader, FacesOfTooManyCornersAreLeftOut) {
+  const auto file = [](int corners) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" +
+        std::to_string(corners);
+    for (int i = 0; i < corners; ++i)
+      text += " " + std::to_string(i % 3);
+    return text + "\n";
+  };
+  Notes notes;
+  EXPECT_EQ(readPly(bytesOf(file(4097)), "x.ply", notes).faces.size(), 1U);
+  EXPECT_EQ(notes.lines(), std::vector<std::string>{"PLY faces of over 4096 corners are left out: 1 faces"});
+  EXPECT_EQ(readPly(bytesOf(file(4096)), "x.ply", notes).faces.size(), 2U);
+}
+
 TEST(PlyReader, FacesHaveTextureCoordinatesAndPictures) {
   const std::string text =
       "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment TextureFile old stone.png\nelement vertex 4\n"

@@ -1031,7 +1031,7 @@ group('ply', 5, (edits) => ply(edits.reduce((content, [from, to]) => swap(conten
   ['index-fraction', 'a face has the index 1.5', [['3 0 1 2', '3 0 1 1.5']]],
   ['corners-negative', 'a face has -3 corners', [[LIST, LIST.replace('uchar', 'int')], ['3 0 1 2', '-3 0 1 2']]],
   ['corners-5000', 'a face has 5000 corners', [[LIST, LIST.replace('uchar', 'int')],
-    ['3 0 1 2', `5000${' 0 1 2 1'.repeat(1250)}`]], 7],
+    ['3 0 1 2', `5000${' 0 1 2 1'.repeat(1250)}`]]],
   ['list-2-31', 'an unknown list says 2^31-1 values', [[LIST, `${LIST}\nproperty list int int flags`],
     ['3 0 1 2', '3 0 1 2 2147483647 0']]],
   ['list-200-million', 'an unknown element of lists has a huge count',

@@ -157,7 +157,10 @@ PolygonMesh parseObj(std::span<const std::byte> bytes, const std::filesystem::pa
   if (mesh.faces.empty() && mesh.positions.empty())
     throw Error(ErrorCode::kMalformed, "the OBJ file has no vertices", file);
   if (mesh.faces.empty())
-    throw Error(ErrorCode::kUnsupported, "the OBJ file has no faces; points and lines cannot be baked", file);
+    throw Error(ErrorCode::kUnsupported,
+                fmt::format("the OBJ file has no face of 3 to {} corners; points and lines cannot be baked",
+                            kMaxPolygonCorners),
+                file);
 
   MaterialLibrary library;
   std::set<std::string> sought;

@@ -17,7 +17,6 @@ namespace jalousie::bake {
 namespace {
 
 constexpr std::size_t kMaxName = 4096;
-constexpr std::size_t kMaxCorners = 4096;  ///< of one face that is not convex: ear clipping takes their square
 
 using Words = std::vector<std::string_view>;
 
@@ -155,10 +154,10 @@ class Reader {
       notes_.add("OBJ faces of fewer than three corners are left out", place());
       return mesh.corners.resize(first);
     }
-    if (words.size() > kMaxCorners + 1)
-      throw Error(ErrorCode::kLimit,
-                  fmt::format("line {}: a face of {} corners, the limit is {}", line_, words.size() - 1, kMaxCorners),
-                  file_);
+    if (words.size() > kMaxPolygonCorners + 1) {
+      notes_.add(fmt::format("OBJ faces of over {} corners are left out", kMaxPolygonCorners), place());
+      return mesh.corners.resize(first);
+    }
     if (mesh.corners.size() >= kNoIndex) throw Error(ErrorCode::kLimit, "the faces have too many corners", file_);
     PolygonMesh::Face face;
     face.end = static_cast<std::uint32_t>(mesh.corners.size());

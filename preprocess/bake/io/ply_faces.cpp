@@ -1,15 +1,11 @@
 // Checks every index, and builds the corners of polygons and strips.
 #include "bake/io/ply_faces.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
 namespace jalousie::bake::ply {
 namespace {
-
-constexpr std::uint32_t kMaxPolygon = 4096;
 
 std::uint64_t listLength(Input& input, const Property& property, Encoding encoding) {
   const double count = input.value(*property.countType, encoding);
@@ -36,8 +32,6 @@ void readFace(Input& input, const Element& element, Encoding encoding, PlyFace& 
   for (const Property& property : element.properties) {
     if (isIndexList(property)) {
       const std::uint64_t count = listLength(input, property, encoding);
-      if (count > kMaxPolygon)
-        input.limit(fmt::format("a PLY face has {} corners, the limit is {}", count, kMaxPolygon));
       face.polygon.clear();
       for (std::uint64_t i = 0; i < count; ++i)
         face.polygon.push_back(vertexIndex(input, property, encoding));

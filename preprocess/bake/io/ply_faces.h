@@ -29,6 +29,10 @@ class FaceBuilder {
       ++passedOver_;
       return;
     }
+    if (face.polygon.size() > kMaxPolygonCorners) {
+      ++tooLarge_;
+      return;
+    }
     const bool hasOwnUvs = face.uvs.size() == 2 * face.polygon.size();
     for (std::size_t i = 0; i < face.polygon.size(); ++i) {
       PolygonMesh::Corner corner = cornerOf(face.polygon[i]);
@@ -62,6 +66,8 @@ class FaceBuilder {
 
   /// Faces of fewer than three corners.
   std::size_t passedOver() const { return passedOver_; }
+  /// Faces of more than kMaxPolygonCorners.
+  std::size_t tooLarge() const { return tooLarge_; }
 
  private:
   PolygonMesh::Corner cornerOf(std::uint32_t index) const {
@@ -85,6 +91,7 @@ class FaceBuilder {
   std::size_t pictures_;
   std::size_t vertexUvs_;
   std::size_t passedOver_ = 0;
+  std::size_t tooLarge_ = 0;
 };
 
 /// Whether a property of a face or a strip is read.

@@ -89,7 +89,11 @@ PolygonMesh readPly(std::span<const std::byte> bytes, const std::filesystem::pat
   }
   if (faces && faces->passedOver() > 0)
     notes.add("PLY faces of fewer than three corners are left out", fmt::format("{} faces", faces->passedOver()));
-  if (mesh.faces.empty() && hasFaces) input.fail("no face of the PLY file has three corners");
+  if (faces && faces->tooLarge() > 0)
+    notes.add(fmt::format("PLY faces of over {} corners are left out", kMaxPolygonCorners),
+              fmt::format("{} faces", faces->tooLarge()));
+  if (mesh.faces.empty() && hasFaces)
+    input.fail(fmt::format("no face of the PLY file has 3 to {} corners", kMaxPolygonCorners));
   if (mesh.faces.empty())
     throw Error(ErrorCode::kUnsupported, "the PLY file has no faces; point clouds cannot be baked", file);
   return mesh;

@@ -1,6 +1,7 @@
 // What the readers of OBJ, PLY and STL return: polygons in double precision, with objects and materials.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -9,6 +10,8 @@
 namespace jalousie::bake {
 
 inline constexpr std::uint32_t kNoIndex = ~0U;
+/// Readers leave larger faces out: ear clipping takes the square of the corners.
+inline constexpr std::size_t kMaxPolygonCorners = 4096;
 
 /// A material of an OBJ file, or the texture of a PLY file. Pictures are names of files relative to the input's folder;
 /// empty: none.
