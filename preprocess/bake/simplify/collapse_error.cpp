@@ -79,6 +79,21 @@ double meanEdge(const WedgeMesh& mesh, std::span<const glm::dvec3> positions) {
   return sum / static_cast<double>(std::max<std::size_t>(mesh.corners.size(), 1));
 }
 
+/// 1 if all triangles are equilateral, near 0 if all are needles: the mean side of equilateral triangles that have the
+/// same ratios of area to perimeter, over the mean edge length.
+double fatness(const WedgeMesh& mesh, std::span<const glm::dvec3> positions, double edge) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c + 2 < mesh.corners.size(); c += 3) {
+    const glm::dvec3& a = positions[mesh.vertexAt(c)];
+    const glm::dvec3& b = positions[mesh.vertexAt(c + 1)];
+    const glm::dvec3& d = positions[mesh.vertexAt(c + 2)];
+    const double perimeter = glm::distance(a, b) + glm::distance(b, d) + glm::distance(d, a);
+    if (perimeter > 0.0) sum += 4.0 * std::sqrt(3.0) * frameOf(a, b, d).area / perimeter;
+  }
+  const double most = edge * static_cast<double>(mesh.corners.size() / 3);
+  return most > 0.0 ? sum / most : 1.0;
+}
+
 /// Length on the surface of one unit of texture space, both as the root of an area; 0 if nothing is mapped.
 double lengthPerUv(const WedgeMesh& mesh, const AttributeSlot& slot, std::span<const glm::dvec3> positions) {
   double surface = 0.0;
@@ -115,7 +130,11 @@ void CollapseError::chooseWeights(const WedgeMesh& mesh, const CollapseOptions& 
   // Weight of a normal deviation of one radian against a distance. On a fine mesh the levels and their errors are small
   // too: the square root of the edge length balances both from the bunny (1/53) to the dragon (1/800).
   constexpr double kNormal = 0.15;
-  const double normalWeight = kNormal * std::sqrt(meanEdge(mesh, positions));
+  // Edges of needles are far longer than what a collapse moves: in a long tube, a bend between two strips would count
+  // more than the thickness of the wall, and the wall would be closed. Only meshes of needles reach this limit.
+  constexpr double kNeedles = 6.0;
+  const double edge = meanEdge(mesh, positions);
+  const double normalWeight = kNormal * std::sqrt(edge) * std::min(1.0, kNeedles * fatness(mesh, positions, edge));
   for (const AttributeSlot& slot : mesh.slots) {
     double weight = 0.0;
     if (slot.kind == AttributeKind::kNormal) weight = normalWeight * options.normalWeight.value_or(1.0);
