@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "asset/cell_tree.h"
+#include "core/cell_tree.h"
 #include "core/error.h"
 #include "scene/motion_data.h"
 
@@ -35,14 +35,14 @@ std::vector<glm::vec3> centroidsOf(const Mesh& mesh) {
   for (const Primitive& primitive : mesh.primitives) {
     const auto corner = [&](std::size_t i) { return primitive.positions[primitive.indices[i]]; };
     for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
-      centroids.push_back(asset::triangleCentroid(corner(i), corner(i + 1), corner(i + 2)));
+      centroids.push_back(triangleCentroid(corner(i), corner(i + 1), corner(i + 2)));
   }
   return centroids;
 }
 
 /// Puts the triangles of one primitive in the order of their cells. @param cells  per triangle of the primitive
 void sortByCell(const Primitive& primitive, std::span<const std::uint32_t> cells, MeshCells& result) {
-  const asset::CellOrder order = asset::orderByCell(cells, result.count);
+  const CellOrder order = orderByCell(cells, result.count);
   std::vector<std::uint32_t> indices;
   indices.reserve(primitive.indices.size());
   for (const std::uint32_t triangle : order.triangles)
@@ -55,7 +55,7 @@ void sortByCell(const Primitive& primitive, std::span<const std::uint32_t> cells
   result.ends.push_back(std::move(ends));
 }
 
-MeshCells divide(const Mesh& mesh, const asset::CellTree& tree) {
+MeshCells divide(const Mesh& mesh, const CellTree& tree) {
   MeshCells result;
   result.count = tree.cellCount();
   const std::vector<std::uint32_t> cells = tree.assign(centroidsOf(mesh));
@@ -193,7 +193,7 @@ class Division {
   }
 
   void divideChain(const Candidate& candidate) {
-    std::optional<asset::CellTree> tree;
+    std::optional<CellTree> tree;
     std::uint64_t count = candidate.cells;
     if (!candidate.fromFile) {
       tree.emplace(centroidsOf(finest(candidate.chain)), options_.trianglesPerCell);

@@ -8,12 +8,12 @@
 #include <set>
 
 #include "asset/accessor.h"
-#include "asset/cell_tree.h"
 #include "asset/lod_chain.h"
 #include "asset/scene_file.h"
 #include "bake/bake_fixtures.h"
 #include "bake/io/bake_document.h"
 #include "bake/io/level_cells.h"
+#include "core/cell_tree.h"
 
 namespace jalousie::bake {
 namespace {
@@ -162,7 +162,7 @@ TEST(BakedCells, AreThoseOfTheTreeOverAllPrimitives) {
   constexpr std::uint32_t kMost = 64;
   const asset::SceneFile scene = sceneWith({kMost, false});
   const auto& levels = scene.chains.at(0).levels;
-  const asset::CellTree tree(centroidsOf(scene.meshes[levels[0].mesh]), kMost);
+  const CellTree tree(centroidsOf(scene.meshes[levels[0].mesh]), kMost);
   EXPECT_GE(tree.cellCount(), 2480U / kMost);
   for (const asset::LodLevel& level : levels) {
     const asset::Mesh& mesh = scene.meshes[level.mesh];
@@ -270,7 +270,7 @@ TEST(BakedCells, LargeCoordinatesHaveCentroids) {
   const auto tree = divideIntoCells(mesh, {10, false});
   ASSERT_TRUE(tree.has_value());
   EXPECT_EQ(tree->cellCount(), 10U);
-  const asset::CellOrder order = orderByCells(mesh, tree);
+  const CellOrder order = orderByCells(mesh, tree);
   std::vector<std::uint32_t> expected(100);
   std::iota(expected.begin(), expected.end(), 0U);
   EXPECT_EQ(order.triangles, expected) << "along y";

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "asset/cell_tree.h"
 #include "bake/io/prepared_mesh.h"
 #include "bake/simplify/chain.h"
+#include "core/cell_tree.h"
 
 namespace jalousie::bake {
 
@@ -18,7 +18,7 @@ struct BakedMesh {
   PreparedMesh prepared;
   LevelChain chain;  ///< without levels if the mesh is passed through
   std::vector<float> coverage;
-  std::optional<asset::CellTree> tree;
+  std::optional<CellTree> tree;
   asset::FaceGrouping faces = asset::FaceGrouping::kOff;
 };
 

@@ -258,7 +258,7 @@ struct LocalTriangles {
   std::vector<std::uint32_t> cellSizes;  ///< triangles of each cell
 };
 
-LocalTriangles trianglesOf(const CombinedMesh& combined, const PrimitiveRange& range, const asset::CellOrder& order) {
+LocalTriangles trianglesOf(const CombinedMesh& combined, const PrimitiveRange& range, const CellOrder& order) {
   LocalTriangles local;
   std::size_t at = 0;
   for (const std::uint32_t end : order.ends) {
@@ -291,7 +291,7 @@ PrimitiveData joinRegions(const CombinedMesh& combined, const PrimitiveRange& ra
 /// A level that is written to a mesh.
 struct LevelMesh {
   const CombinedMesh& combined;
-  const asset::CellOrder& order;
+  const CellOrder& order;
   asset::FaceGrouping faces;
   Aabb bounds;
   tinygltf::Mesh& mesh;
@@ -425,7 +425,7 @@ void appendPrimitive(tinygltf::Model& model, const tinygltf::Primitive& source, 
 }  // namespace
 
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const asset::CellOrder& order, asset::FaceGrouping faces) {
+                            const CellOrder& order, asset::FaceGrouping faces) {
   tinygltf::Mesh mesh;
   mesh.name = source.name;
   WrittenMesh written;

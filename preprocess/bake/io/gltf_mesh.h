@@ -40,6 +40,6 @@ struct WrittenMesh {
 /// the order of their first use. Primitives without triangles are left out.
 /// @param order  of the triangles of `combined`   @param faces  groups of single-sided opaque triangles
 WrittenMesh appendLevelMesh(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& combined,
-                            const asset::CellOrder& order, asset::FaceGrouping faces = asset::FaceGrouping::kOff);
+                            const CellOrder& order, asset::FaceGrouping faces = asset::FaceGrouping::kOff);
 
 }  // namespace jalousie::bake

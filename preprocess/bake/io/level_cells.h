@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "asset/cell_tree.h"
+#include "core/cell_tree.h"
 #include "bake/mesh/combined_mesh.h"
 
 namespace jalousie::bake {
@@ -18,11 +18,11 @@ struct CellOptions {
 /// The division of a chain. A table has a number for each cell, primitive and level. So that it stays small beside the
 /// triangles, a cell has at least kLeastPerPrimitive triangles for each primitive, even if the options ask for fewer.
 /// @param finest  LOD 0, positions finite   @return  nullopt if there would be one cell, or by the options
-std::optional<asset::CellTree> divideIntoCells(const CombinedMesh& finest, const CellOptions& options);
+std::optional<CellTree> divideIntoCells(const CombinedMesh& finest, const CellOptions& options);
 
 inline constexpr std::uint32_t kLeastPerPrimitive = 8;
 
 /// The triangles of a level in the order of cells; all in one cell if there is no tree. @param level  positions finite
-asset::CellOrder orderByCells(const CombinedMesh& level, const std::optional<asset::CellTree>& tree);
+CellOrder orderByCells(const CombinedMesh& level, const std::optional<CellTree>& tree);
 
 }  // namespace jalousie::bake

@@ -1,5 +1,5 @@
 // Built and assigned by partitions in place, without recursion: the tree may be as deep as there are triangles.
-#include "asset/cell_tree.h"
+#include "core/cell_tree.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include "core/aabb.h"
 #include "core/check.h"
 
-namespace jalousie::asset {
+namespace jalousie {
 namespace {
 
 /// A part of the triangles, as a range of their permutation, and the node that it belongs to.
@@ -151,4 +151,4 @@ CellOrder orderByCell(std::span<const std::uint32_t> cells, std::uint32_t cellCo
   return order;
 }
 
-}  // namespace jalousie::asset
+}  // namespace jalousie

@@ -1,5 +1,5 @@
 // Cells of a mesh: sizes, disjoint boxes, merging for coarser levels, coinciding triangles.
-#include "asset/cell_tree.h"
+#include "core/cell_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/aabb.h"
 
-namespace jalousie::asset {
+namespace jalousie {
 namespace {
 
 std::vector<glm::vec3> randomPoints(std::size_t count, std::uint32_t seed) {
@@ -127,4 +127,4 @@ TEST(CellTree, TheOrderOfTheTrianglesDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace jalousie::asset
+}  // namespace jalousie

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace jalousie::asset {
+namespace jalousie {
 
 /// A k-d tree over the triangles of LOD 0. Its leaves are the cells. Coarser levels have fewer triangles for the same
 /// leaves: leaves whose triangles fit into one cell together are merged for that level.
@@ -49,4 +49,4 @@ struct CellOrder {
 /// @param cells  of each triangle, below cellCount
 CellOrder orderByCell(std::span<const std::uint32_t> cells, std::uint32_t cellCount);
 
-}  // namespace jalousie::asset
+}  // namespace jalousie
