@@ -43,14 +43,14 @@ struct EdgeCollapser::Data {
         topology(vertexIndices(mesh), mesh.corners, mesh.positions.size()),
         parts(findLooseParts(mesh)),
         parent(mesh.positions.size()),
-        placeOf(mesh.positions.size()),
+        exact(mesh.positions),
+        isExact(mesh.positions.size(), 1),
         version(mesh.positions.size(), 0),
         singleWedge(mesh.positions.size(), kNone),
         onBorder(mesh.positions.size(), 0),
-        locked(mesh.positions.size(), 0),
+        lockedAlways(mesh.positions.size(), 0),
         seen(mesh.positions.size(), 0) {
     std::iota(parent.begin(), parent.end(), 0U);
-    std::iota(placeOf.begin(), placeOf.end(), 0U);
     const Aabb box = boundsOf(mesh.positions);
     scale = box.diagonal() > 0.0 ? box.diagonal() : 1.0;
     center = (glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5;
@@ -62,15 +62,16 @@ struct EdgeCollapser::Data {
       if (edge.kind != EdgeKind::kBorder) continue;
       for (const std::uint32_t v : {edge.a, edge.b}) {
         onBorder[v] = 1;
-        locked[v] = options.lockBorder ? 1 : 0;
+        lockedAlways[v] = options.lockBorder ? 1 : 0;
       }
     }
     for (std::size_t v = 0; v < options.lockedVertices.size(); ++v) {
       if (options.lockedVertices[v] == 0) continue;
-      locked[v] = 1;
+      lockedAlways[v] = 1;
       heldParts.resize(parts.parts.size(), 0);
       heldParts[classes.partOfVertex[v]] = 1;
     }
+    locked = lockedAlways;
     keptParts = heldParts;
   }
 
@@ -83,16 +84,20 @@ struct EdgeCollapser::Data {
   std::optional<PartRemoval> removal;
   std::vector<std::uint32_t> aliveOfPart;  ///< faces
   std::vector<std::uint32_t> parent;       ///< vertex it was merged into
-  std::vector<std::uint32_t> placeOf;      ///< vertex of the source whose position it has bit for bit, or kNone
+  std::vector<glm::vec3> exact;            ///< its position in object space bit for bit, where isExact
+  std::vector<std::uint8_t> isExact;
   std::vector<std::uint32_t> version;      ///< collapses that went into it
   std::vector<std::uint32_t> singleWedge;  ///< its wedge, kNone if it has several
-  std::vector<std::uint8_t> onBorder, locked;
+  std::vector<std::uint8_t> onBorder;
+  std::vector<std::uint8_t> lockedAlways;  ///< by the options
+  std::vector<std::uint8_t> locked;        ///< by the options, or since continueFrom
   std::vector<std::uint32_t> seen, neighbours;
   std::uint32_t generation = 0;
   std::uint32_t removedParts = 0;
   std::vector<CostPoint> costs;
   std::vector<std::uint8_t> heldParts;  ///< with locked vertices; empty: none
   std::vector<std::uint8_t> keptParts;  ///< those and the ones of keepParts
+  bool mayRelax = true;                 ///< no vertex is locked since continueFrom
   bool relaxed = false;                 ///< collapses may change the topology
   CollapseQueue queue;
   std::vector<float> values;
@@ -125,8 +130,49 @@ struct EdgeCollapser::State : Data {
   void fillQueue(const EdgeTable& edges) {
     for (const MeshEdge& edge : edges.edges)
       if (const auto candidate = assess(edge.a, edge.b)) queue.push(*candidate);
+    pushParts();
+  }
+
+  void pushParts() {
     for (std::uint32_t p = 0; p < parts.parts.size(); ++p)
-      if (p != parts.largest) queue.push({costOfRemoval(p), p, kNone, 0});
+      if (p != parts.largest && aliveOfPart[p] > 0) queue.push({costOfRemoval(p), p, kNone, 0});
+  }
+
+  /// Takes over places, attributes and locks. @param lockedVertices  of the level
+  void adopt(const WedgeMesh& level, std::span<const std::uint8_t> lockedVertices) {
+    keptParts = heldParts;
+    keptParts.resize(parts.parts.size(), 0);
+    std::size_t next = 0;  // corner of the level
+    for (std::uint32_t c = 0; c < source.corners.size(); ++c) {
+      if (!topology.isAlive(c / 3)) continue;
+      const std::uint32_t v = topology.vertexAt(c);
+      const std::uint32_t there = level.vertexAt(next);
+      exact[v] = level.positions[there];
+      isExact[v] = 1;
+      positions[v] = (glm::dvec3(exact[v]) - center) / scale;
+      error.setAttributes(topology.wedgeAt(c), &level.attributes[std::size_t{level.corners[next]} * level.stride]);
+      locked[v] = lockedAlways[v] | lockedVertices[there];
+      if (lockedVertices[there] != 0) keptParts[classes.partOfVertex[v]] = 1;
+      ++next;
+    }
+    JAL_CHECK(next == level.corners.size());
+  }
+
+  /// Assesses all edges of the current mesh.
+  void refillQueue() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::uint32_t c = 0; c < source.corners.size(); ++c) {
+      if (!topology.isAlive(c / 3)) continue;
+      const std::uint32_t u = topology.vertexAt(c);
+      const std::uint32_t v = topology.vertexAt(CollapseTopology::others(c)[0]);
+      edges.emplace_back(std::min(u, v), std::max(u, v));
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    queue.clear();
+    for (const auto& [u, v] : edges)
+      if (const auto candidate = assess(u, v)) queue.push(*candidate);
+    pushParts();
   }
 
   float costOfRemoval(std::uint32_t p) const { return static_cast<float>(removal->cost(p, aliveOfPart)); }
@@ -250,10 +296,14 @@ struct EdgeCollapser::State : Data {
       });
     }
     topology.merge(u, v);
-    placeOf[u] = p == positions[u] ? placeOf[u] : p == positions[v] ? placeOf[v] : kNone;
+    if (p != positions[u]) {
+      isExact[u] = p == positions[v] ? isExact[v] : 0;
+      exact[u] = exact[v];
+    }
     positions[u] = p;
     parent[v] = u;
     onBorder[u] = onBorder[u] | onBorder[v];
+    lockedAlways[u] = lockedAlways[u] | lockedAlways[v];
     locked[u] = locked[u] | locked[v];
     ++version[u];
     version[v] = kNone / 2;  // no sum with it matches a queued version
@@ -315,9 +365,10 @@ struct EdgeCollapser::State : Data {
     std::uint32_t facesAtRetry = topology.faces();
     while (topology.faces() > target) {
       if (queue.empty()) {
-        if (waiting.empty() || (relaxed && topology.faces() == facesAtRetry)) break;
+        const bool stuck = topology.faces() == facesAtRetry;
+        if (waiting.empty() || (stuck && (relaxed || !mayRelax))) break;
         // Nothing legal is left: from here on the level may change its topology and have fewer triangles than asked.
-        if (topology.faces() == facesAtRetry) relaxed = true, least = kMinLevelTriangles;
+        if (stuck) relaxed = true, least = kMinLevelTriangles;
         facesAtRetry = topology.faces();
         for (const Candidate& candidate : waiting)
           queue.push(candidate);
@@ -356,6 +407,21 @@ void EdgeCollapser::keepParts(std::span<const std::uint8_t> keep) {
     kept[p] = kept[p] | keep[p];
 }
 
+void EdgeCollapser::continueFrom(const WedgeMesh& level, std::span<const std::uint8_t> lockedVertices) {
+  JAL_CHECK(lockedVertices.size() == level.positions.size());
+  state_->adopt(level, lockedVertices);
+  state_->mayRelax = std::find(lockedVertices.begin(), lockedVertices.end(), 1) == lockedVertices.end();
+  state_->refillQueue();
+}
+
+std::vector<std::uint32_t> EdgeCollapser::sourceTriangles() const {
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(state_->topology.faces());
+  for (std::uint32_t face = 0; face < state_->source.triangles(); ++face)
+    if (state_->topology.isAlive(face)) triangles.push_back(face);
+  return triangles;
+}
+
 std::uint32_t EdgeCollapser::triangles() const {
   return state_->topology.faces();
 }
@@ -373,9 +439,8 @@ WedgeMesh EdgeCollapser::mesh() const {
     const std::uint32_t w = state.topology.wedgeAt(c);
     if (vertexAt[v] == kNone) {
       vertexAt[v] = static_cast<std::uint32_t>(mesh.positions.size());
-      const std::uint32_t place = state.placeOf[v];
-      mesh.positions.push_back(place != kNone ? state.source.positions[place]
-                                              : glm::vec3(state.center + state.scale * state.positions[v]));
+      mesh.positions.push_back(state.isExact[v] != 0 ? state.exact[v]
+                                                     : glm::vec3(state.center + state.scale * state.positions[v]));
     }
     if (wedgeAt[w] == kNone) {
       wedgeAt[w] = static_cast<std::uint32_t>(mesh.vertexOf.size());

@@ -40,9 +40,16 @@ class EdgeCollapser {
   void collapseTo(std::uint32_t target);
   /// From now on, these loose parts are not removed as a whole. @param keep  for each part 1 or 0; empty: none
   void keepParts(std::span<const std::uint8_t> keep);
+  /// From now on, the current mesh has the positions and attributes of a level, and other vertices are locked: they and
+  /// their attributes stay, no loose part with one of them is removed, and while there are any, the topology is never
+  /// changed. The locks of the options stay as well.
+  /// @param level  what mesh() returned last, moved since   @param lockedVertices  of the level: 1 for locked
+  void continueFrom(const WedgeMesh& level, std::span<const std::uint8_t> lockedVertices);
   std::uint32_t triangles() const;
   /// The current mesh.
   WedgeMesh mesh() const;
+  /// For each triangle of mesh() the one of the source that it was, ascending.
+  std::vector<std::uint32_t> sourceTriangles() const;
 
   /// What was collapsed so far: triangles that were left when no collapse or removal of a lower cost was. The costs
   /// ascend; they are squared distances times areas, in the unit frame.

@@ -1,6 +1,7 @@
 // The error of merging vertices: quadrics per vertex, linear attribute functions per wedge.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -40,6 +41,10 @@ class CollapseError {
   void commit(std::uint32_t u, std::uint32_t v, const WedgeMerge& merge, const std::vector<float>& values);
 
   const float* attributes(std::uint32_t wedge) const { return attributes_.data() + std::size_t{wedge} * stride_; }
+  /// @param values  all floats of the wedge
+  void setAttributes(std::uint32_t wedge, const float* values) {
+    std::copy_n(values, stride_, attributes_.begin() + static_cast<std::ptrdiff_t>(std::size_t{wedge} * stride_));
+  }
   bool weighsAttributes() const { return !weights_.empty(); }
 
  private:

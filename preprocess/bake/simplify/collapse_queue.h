@@ -44,6 +44,10 @@ class CollapseQueue {
     (*octave)[bucket % kPerOctave].push_back(candidate);
     if (bucket < lowest_) lowest_ = bucket;
   }
+  void clear() {
+    octaves_ = {};
+    lowest_ = kBuckets;
+  }
   bool empty() {
     while (lowest_ < kBuckets) {
       const std::unique_ptr<Octave>& octave = octaves_[lowest_ / kPerOctave];
