@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/union_find.h"
@@ -46,6 +47,7 @@ struct Direction {
 /// Per-sample results; uv is negative where charts differ.
 struct Measured {
   std::vector<double> distances, degrees, uvs;
+  std::vector<std::uint32_t> nearest;  ///< triangles of the other surface
 };
 
 glm::dvec2 uvAt(const WedgeMesh& mesh, const AttributeSlot& slot, std::uint32_t triangle, const glm::dvec3& b) {
@@ -67,6 +69,7 @@ Measured measureSamples(const Direction& direction, const std::vector<SurfaceSam
   measured.distances.resize(samples.size());
   measured.degrees.resize(samples.size());
   measured.uvs.assign(samples.size(), -1.0);
+  measured.nearest.resize(samples.size());
   direction.slices(samples.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t t = samples[i].triangle;
@@ -74,6 +77,7 @@ Measured measureSamples(const Direction& direction, const std::vector<SurfaceSam
       const std::uint32_t seed = direction.seedOf(direction.from.vertexAt(3 * std::size_t{t}));
       const NearestPoint nearest = direction.bvh.nearest(positionAt(direction.from, t, b), seed);
       measured.distances[i] = std::sqrt(nearest.distance2);
+      measured.nearest[i] = nearest.triangle;
       const glm::dvec3 n = shadingNormalAt(direction.from, fromNormals, t, b);
       const glm::dvec3 m = shadingNormalAt(direction.to, toNormals, nearest.triangle, nearest.barycentric);
       measured.degrees[i] = std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m)) * 180.0 / std::numbers::pi;
@@ -99,14 +103,36 @@ struct Probe {
 struct Piece {
   std::array<Probe, 3> corners;
   float bound = 0.0F;
+  std::uint32_t triangle = 0;
+};
+
+/// The largest distances found of each group of a level, in one direction.
+struct GroupMaxima {
+  const LevelGroups& groups;
+  bool toOriginal = true;  ///< points of the level; else those of the original
+  std::vector<double> most;
+
+  /// @param triangle  of the surface that the point lies on   @param nearest  of the other one
+  std::uint32_t groupAt(std::uint32_t triangle, std::uint32_t nearest) const {
+    if (toOriginal) return groups.ofTriangle[triangle];
+    const std::uint32_t lost = groups.ofOriginalTriangle[triangle];
+    return lost != ~0U ? lost : groups.ofTriangle[nearest];
+  }
+  void note(std::uint32_t triangle, const Probe& probe) {
+    double& largest = most[groupAt(triangle, probe.nearest)];
+    largest = std::max(largest, double{probe.distance});
+  }
 };
 
 /// Finds the largest distance in one direction by branch and bound.
 class MaximumSearch {
  public:
-  MaximumSearch(const Direction& direction, double found, const MeterOptions& options)
+  /// @param maxima  get the distances that are found, from half of `found` on at every vertex; may be null
+  MaximumSearch(const Direction& direction, double found, const MeterOptions& options, GroupMaxima* maxima)
       : direction_(direction),
+        maxima_(maxima),
         found_(found),
+        half_(0.5 * found),
         searches_(options.searches),
         closeEnough_(options.closeEnough),
         giveUp_(options.giveUp) {}
@@ -138,7 +164,7 @@ class MaximumSearch {
     if (seed != TriangleBvh::kNoSeed) {
       const TriangleBvh::Corners& t = direction_.bvh.corners(seed);
       const double bound = std::sqrt(squaredDistanceToTriangle(point, t.a, t.b, t.c));
-      if (bound <= 0.5 * found_) return {point, static_cast<float>(bound), seed};
+      if (bound <= half_) return {point, static_cast<float>(bound), seed};
     }
     return probe(point, seed);
   }
@@ -206,6 +232,9 @@ class MaximumSearch {
     const WedgeMesh& mesh = direction_.from;
     for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
       Piece piece{{vertices_[mesh.vertexAt(c)], vertices_[mesh.vertexAt(c + 1)], vertices_[mesh.vertexAt(c + 2)]}};
+      piece.triangle = static_cast<std::uint32_t>(c / 3);
+      for (const Probe& corner : piece.corners)
+        if (maxima_ != nullptr && corner.distance > half_) maxima_->note(piece.triangle, corner);
       if (matters(piece)) queue_.push_back(piece);
     }
     std::make_heap(queue_.begin(), queue_.end(), isLess);
@@ -217,10 +246,11 @@ class MaximumSearch {
     for (std::size_t k = 0; k < 3; ++k) {
       middle[k] = probe(0.5F * (piece.corners[k].point + piece.corners[(k + 1) % 3].point), piece.corners[k].nearest);
       found_ = std::max(found_, double{middle[k].distance});
+      if (maxima_ != nullptr) maxima_->note(piece.triangle, middle[k]);
     }
     for (std::size_t k = 0; k < 3; ++k)
-      keep({{piece.corners[k], middle[k], middle[(k + 2) % 3]}});
-    keep({{middle[0], middle[1], middle[2]}});
+      keep({{piece.corners[k], middle[k], middle[(k + 2) % 3]}, 0.0F, piece.triangle});
+    keep({{middle[0], middle[1], middle[2]}, 0.0F, piece.triangle});
   }
 
   void keep(Piece piece) {
@@ -230,7 +260,9 @@ class MaximumSearch {
   }
 
   const Direction& direction_;
+  GroupMaxima* maxima_;
   double found_;
+  double half_;  ///< of what was found at first
   std::uint32_t searches_;
   double closeEnough_;
   double giveUp_;
@@ -259,12 +291,13 @@ double meanOf(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-Distances distanceOf(const Direction& direction, const Measured& measured, const MeterOptions& options) {
+Distances distanceOf(const Direction& direction, const Measured& measured, const MeterOptions& options,
+                     GroupMaxima* maxima) {
   double found = 0.0;
   for (const double distance : measured.distances)
     found = std::max(found, distance);
   if (found > options.giveUp) return {found, meanOf(measured.distances)};
-  return {MaximumSearch(direction, found, options).run(), meanOf(measured.distances)};
+  return {MaximumSearch(direction, found, options, maxima).run(), meanOf(measured.distances)};
 }
 
 /// Mean and 95th percentile of two lists together; negative values are left out.
@@ -279,6 +312,57 @@ Spread spreadOf(const std::vector<double>& a, const std::vector<double>& b) {
   return {mean, values[rank]};
 }
 
+/// Means of the distances of each group in one direction; 0 where it has no point. @param maxima  get the largest ones
+/// @param samples  where the points lie   @param count  gets the points of each group
+std::vector<double> meansOfGroups(const std::vector<SurfaceSample>& samples, const Measured& measured,
+                                  GroupMaxima& maxima, std::vector<std::uint32_t>& count) {
+  std::vector<double> means(maxima.groups.count, 0.0);
+  count.assign(maxima.groups.count, 0);
+  maxima.most.assign(maxima.groups.count, 0.0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::uint32_t group = maxima.groupAt(samples[i].triangle, measured.nearest[i]);
+    maxima.most[group] = std::max(maxima.most[group], measured.distances[i]);
+    means[group] += measured.distances[i];
+    ++count[group];
+  }
+  for (std::uint32_t group = 0; group < means.size(); ++group)
+    means[group] /= std::max(count[group], 1U);
+  return means;
+}
+
+/// The measures of groups in both directions.
+class GroupMeasures {
+ public:
+  explicit GroupMeasures(const LevelGroups& groups) : there_{groups, true, {}}, back_{groups, false, {}} {}
+
+  GroupMaxima* there() { return &there_; }
+  GroupMaxima* back() { return &back_; }
+  void addSamples(const std::vector<SurfaceSample>& toSamples, const Measured& to,
+                  const std::vector<SurfaceSample>& fromSamples, const Measured& from) {
+    meansThere_ = meansOfGroups(toSamples, to, there_, countThere_);
+    meansBack_ = meansOfGroups(fromSamples, from, back_, countBack_);
+  }
+  /// @param largest  two-sided maximum of the level: the largest of the groups gets it, the others grow in proportion
+  std::vector<Distances> distances(double largest) const {
+    std::vector<Distances> result;
+    double found = 0.0;
+    for (std::uint32_t g = 0; g < meansThere_.size(); ++g) {
+      const bool both = countThere_[g] > 0 && countBack_[g] > 0;
+      const double sum = meansThere_[g] + meansBack_[g];
+      result.push_back({std::max(there_.most[g], back_.most[g]), both ? 0.5 * sum : sum});
+      found = std::max(found, result.back().max);
+    }
+    for (Distances& group : result)
+      group.max *= found > 0.0 ? std::max(largest / found, 1.0) : 1.0;
+    return result;
+  }
+
+ private:
+  GroupMaxima there_, back_;
+  std::vector<double> meansThere_, meansBack_;
+  std::vector<std::uint32_t> countThere_, countBack_;
+};
+
 }  // namespace
 
 DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& options)
@@ -290,6 +374,16 @@ DeviationMeter::DeviationMeter(const WedgeMesh& original, const MeterOptions& op
       chartOf_(findCharts(original)) {}
 
 Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap) const {
+  return measure(level, vertexMap, nullptr, nullptr);
+}
+
+Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap,
+                                  const LevelGroups& groups, std::vector<Distances>& distances) const {
+  return measure(level, vertexMap, &groups, &distances);
+}
+
+Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap,
+                                  const LevelGroups* groups, std::vector<Distances>* distances) const {
   const TriangleBvh levelBvh(level.positions, vertexIndices(level));
   const FlatPatches levelPatches(level.positions, vertexIndices(level), kFlat * negligible_);
   std::vector<std::uint32_t> levelSeeds;
@@ -314,13 +408,18 @@ Deviation DeviationMeter::measure(const WedgeMesh& level, std::span<const std::u
   const Direction back{original_, level,      levelBvh,        levelPatches, originalSeeds,
                        chartOf_,  levelChart, options_.slices, negligible_};
   const std::size_t samples = samplesFor(options_, level.triangles());
-  const Measured to = measureSamples(there, sampleSurface(level, samples));
-  const Measured from = measureSamples(back, sampleSurface(original_, samples));
+  const std::vector<SurfaceSample> toSamples = sampleSurface(level, samples);
+  const std::vector<SurfaceSample> fromSamples = sampleSurface(original_, samples);
+  const Measured to = measureSamples(there, toSamples);
+  const Measured from = measureSamples(back, fromSamples);
+  std::optional<GroupMeasures> ofGroups;
+  if (groups != nullptr) ofGroups.emplace(*groups).addSamples(toSamples, to, fromSamples, from);
   Deviation deviation;
-  deviation.toOriginal = distanceOf(there, to, options_);
-  deviation.fromOriginal = distanceOf(back, from, options_);
+  deviation.toOriginal = distanceOf(there, to, options_, ofGroups ? ofGroups->there() : nullptr);
+  deviation.fromOriginal = distanceOf(back, from, options_, ofGroups ? ofGroups->back() : nullptr);
   deviation.twoSided = {std::max(deviation.toOriginal.max, deviation.fromOriginal.max),
                         0.5 * (deviation.toOriginal.mean + deviation.fromOriginal.mean)};
+  if (ofGroups) *distances = ofGroups->distances(deviation.twoSided.max);
   deviation.normalDegrees = spreadOf(to.degrees, from.degrees);
   deviation.uv = spreadOf(to.uvs, from.uvs);
   return deviation;

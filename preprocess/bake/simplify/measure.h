@@ -25,6 +25,13 @@ struct MeterOptions {
   double giveUp = std::numeric_limits<double>::infinity();
 };
 
+/// Parts of a level whose distances are wanted one by one.
+struct LevelGroups {
+  std::uint32_t count = 0;
+  std::span<const std::uint32_t> ofTriangle;          ///< group of each triangle of the level
+  std::span<const std::uint32_t> ofOriginalTriangle;  ///< group of triangles that it lost as a whole, ~0 for all others
+};
+
 /// Measures levels against one original, whose hierarchy and samples are made once.
 ///
 /// Means are taken over points spread evenly by area. The maximum is found by branch and bound. The distance to one
@@ -43,8 +50,17 @@ class DeviationMeter {
   /// @param vertexMap  for each vertex of the original the one of the level it became, or ~0; may be empty. It only
   /// starts searches. @param level  its sourceWedge refers to the original, for charts
   Deviation measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap = {}) const;
+  /// The same. @param groups  get two-sided distances each; points of the original count where they are nearest to the
+  /// group   @param distances  [groups.count], filled. Means are over the points that measure took. Maxima are the
+  /// largest distances found, in proportion so that the largest of them is the level's: a group with more than half of
+  /// that is found at every vertex, others by points
+  Deviation measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap, const LevelGroups& groups,
+                    std::vector<Distances>& distances) const;
 
  private:
+  Deviation measure(const WedgeMesh& level, std::span<const std::uint32_t> vertexMap, const LevelGroups* groups,
+                    std::vector<Distances>* distances) const;
+
   const WedgeMesh& original_;
   MeterOptions options_;
   TriangleBvh bvh_;
