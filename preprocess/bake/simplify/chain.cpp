@@ -12,6 +12,7 @@
 #include "bake/mesh/bounds.h"
 #include "bake/mesh/flat_shading.h"
 #include "bake/mesh/normals.h"
+#include "bake/simplify/cell_levels.h"
 #include "bake/simplify/collapse.h"
 #include "bake/simplify/error_search.h"
 #include "bake/simplify/level_maker.h"
@@ -144,15 +145,36 @@ std::optional<ChainLevel> levelBetween(const WedgeMesh& mesh, const ChainOptions
   return std::nullopt;
 }
 
+/// Makes levels one after the other and measures them.
+struct NextLevel {
+  /// @param finest  LOD 0, gets its cells
+  NextLevel(const WedgeMesh& mesh, const ChainOptions& options, ChainLevel& finest)
+      : meter(mesh, meterOptions(options, mesh.triangles(), boundsOf(mesh.positions).diagonal())) {
+    if (options.cellTriangles == 0) {
+      plain.emplace(mesh, options);
+    } else {
+      divided.emplace(mesh, options);
+      finest.cells = divided->finest();
+    }
+  }
+  ChainLevel make(std::uint32_t target, bool exactly, ChainLevel& last) {
+    if (divided) return divided->next(target, meter, last);
+    return measuredLevel(*plain, meter, plain->make(target, exactly), last);
+  }
+
+  DeviationMeter meter;
+  std::optional<LevelMaker> plain;
+  std::optional<CellLevelMaker> divided;
+};
+
 /// Levels of given numbers of triangles. @param chain  with LOD 0   @return  why there are no more levels
 std::string addLevelsByCount(const WedgeMesh& mesh, const ChainOptions& options, const LevelProgress& progress,
                              std::vector<ChainLevel>& levels) {
   const std::uint32_t finest = mesh.triangles();
   const double diagonal = boundsOf(mesh.positions).diagonal();
-  std::unique_ptr<LevelMaker> maker;
-  std::unique_ptr<DeviationMeter> meter;
+  std::unique_ptr<NextLevel> maker;
   for (;;) {
-    const ChainLevel& last = levels.back();
+    ChainLevel& last = levels.back();
     const std::size_t k = levels.size();
     std::uint32_t target = targetOf(options, finest, k);
     if (target == 0 && k >= levelsWanted(options))
@@ -162,19 +184,17 @@ std::string addLevelsByCount(const WedgeMesh& mesh, const ChainOptions& options,
     if (target < kMinLevelTriangles && last.mesh.triangles() >= 2 * kMinLevelTriangles) target = kMinLevelTriangles;
     if (target < kMinLevelTriangles || target >= last.mesh.triangles())
       return fmt::format("the next level would have {} triangles", target);
-    if (!maker) {
-      maker = std::make_unique<LevelMaker>(mesh, options);
-      meter = std::make_unique<DeviationMeter>(mesh, meterOptions(options, finest, diagonal));
-    }
+    if (!maker) maker = std::make_unique<NextLevel>(mesh, options, last);
     const bool exactly = options.coarsest && k + 1 == options.levels;
-    ChainLevel next = measuredLevel(*maker, *meter, maker->make(target, exactly), last);
+    ChainLevel next = maker->make(target, exactly, last);
     const std::uint32_t triangles = next.mesh.triangles();
     if (triangles < kMinLevelTriangles)
       return fmt::format("simplification fell below {} triangles", kMinLevelTriangles);
     if (triangles > last.mesh.triangles() * 0.95 && triangles > target)
       return fmt::format("asked for {} triangles, edge collapse stops at {}", target, triangles);
     if (next.errorMax > percentLength(options, diagonal) * options.untilError) {
-      std::optional<ChainLevel> between = levelBetween(mesh, options, *meter, last, target);
+      std::optional<ChainLevel> between;
+      if (options.cellTriangles == 0) between = levelBetween(mesh, options, maker->meter, last, target);
       if (between) levels.push_back(std::move(*between));
       return fmt::format("the next level, of {} triangles, would be off by {:.3g} % of the diagonal", triangles,
                          100.0 * next.errorMax / diagonal);
@@ -217,6 +237,7 @@ LevelChain makeChain(const WedgeMesh& mesh, const ChainOptions& options, const L
   chain.levels.emplace_back().mesh = mesh;
   chain.stopReason = options.errors.empty() ? addLevelsByCount(mesh, options, progress, chain.levels)
                                             : addLevelsByError(mesh, options, progress, chain.levels);
+  if (std::optional<CellDivision>& last = chain.levels.back().cells) last->groupOf.clear(), last->errors.clear();
   chain.endsInNothing = options.leftOut;
   if (options.leftOut) chain.stopReason += "; below the last level the mesh is left out, it is too small to matter";
   return chain;

@@ -32,6 +32,7 @@ struct ChainOptions {
   double untilError = 25.0;                     ///< no level with a larger maximum, % of the diagonal; not with errors
   std::optional<double> reference;              ///< object-space length that replaces the diagonal of these errors
   std::optional<std::uint32_t> untilTriangles;  ///< no level with fewer triangles
+  std::uint32_t cellTriangles = 0;              ///< most triangles of a cell with a level of its own; 0: none
   CollapseOptions collapse;
   std::optional<std::uint32_t> samples;  ///< points per surface for the measures; the preset decides otherwise
   SliceRunner slices = runInOneSlice;    ///< runs the loops of refit and measurement

@@ -6,10 +6,8 @@
 
 #include "bake/mesh/flat_shading.h"
 #include "bake/simplify/draft.h"
-#include "bake/simplify/refit.h"
 
 namespace jalousie::bake {
-namespace {
 
 RefitOptions refitOptions(const ChainOptions& options, const PartClasses& classes) {
   RefitOptions refit;
@@ -24,8 +22,6 @@ RefitOptions refitOptions(const ChainOptions& options, const PartClasses& classe
   }
   return refit;
 }
-
-}  // namespace
 
 CollapseOptions collapseOptions(const ChainOptions& options, const std::vector<bool>& flat) {
   CollapseOptions collapse = options.collapse;

@@ -8,11 +8,15 @@
 #include "bake/mesh/wedge_mesh.h"
 #include "bake/simplify/chain_options.h"
 #include "bake/simplify/collapse.h"
+#include "bake/simplify/refit.h"
 
 namespace jalousie::bake {
 
 /// The options of the collapse of a chain. @param flat  primitives with flat shading; empty: none
 CollapseOptions collapseOptions(const ChainOptions& options, const std::vector<bool>& flat);
+
+/// The options of the refit of a chain. Refers to both parameters.
+RefitOptions refitOptions(const ChainOptions& options, const PartClasses& classes);
 
 class LevelMaker {
  public:
