@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "asset/accessor.h"
+#include "asset/lod_cell_levels.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
 #include "asset/mesh_occluders.h"
@@ -222,9 +223,13 @@ void rescaleInfo(const tinygltf::Model& model, tinygltf::Mesh& mesh, const Grid&
     }
   }
   const CellTriangles cells = lodCells(model, mesh);
+  LodCellLevels cellLevels = lodCellLevels(model, mesh);
+  for (DistanceInfo& error : cellLevels.errors)
+    error = {error.max / grid.side + roundingOf(1.0), error.mean / grid.side};
   const LodFaces faces = lodFaces(model, mesh);
   setLodInfo(mesh, *info);
   if (!cells.empty()) setLodCells(mesh, cells);
+  setLodCellLevels(mesh, cellLevels);
   setLodFaces(mesh, faces);
 }
 

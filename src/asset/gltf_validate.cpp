@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "asset/accessor_layout.h"
 #include "asset/camera_validate.h"
 #include "asset/gltf_images.h"
+#include "asset/lod_cell_levels.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
 #include "asset/mesh_occluders.h"
@@ -140,6 +142,7 @@ std::vector<std::size_t> validateMeshes(const Model& model) {
       lodInfo(mesh);
       lodFaces(model, mesh);
       cells.push_back(cellCount(lodCells(model, mesh)));
+      lodCellLevels(model, mesh);
       meshOccluders(mesh);
     } catch (const Error& error) {
       throw Error(error.code(), fmt::format("mesh {}: {}", i, error.what()));
@@ -172,8 +175,25 @@ void validateInstancing(const Model& model, const tinygltf::Node& node, std::siz
   }
 }
 
+/// The groups of the cells of a chain fit each other. @param known  chains that were checked
+void validateCellLevels(const Model& model, std::size_t node, std::set<std::vector<int>>& known) {
+  std::vector<int> meshes = {model.nodes[node].mesh};
+  for (const int level : lodNodes(model, static_cast<int>(node)))
+    meshes.push_back(model.nodes[static_cast<std::size_t>(level)].mesh);
+  if (meshes.size() < 2 || !known.insert(meshes).second) return;
+  std::vector<LodCellLevels> levels;
+  for (const int mesh : meshes)
+    levels.push_back(lodCellLevels(model, model.meshes[static_cast<std::size_t>(mesh)]));
+  try {
+    requireHierarchy(levels);
+  } catch (const Error& error) {
+    throw Error(error.code(), fmt::format("node {}: {}", node, error.what()));
+  }
+}
+
 /// @param cells  of each mesh
 void validateLevels(const Model& model, const std::vector<std::size_t>& cells) {
+  std::set<std::vector<int>> known;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const bool isGroup = isLodGroup(model, static_cast<int>(i));
     for (const int level : lodIds(model, static_cast<int>(i))) {
@@ -181,6 +201,7 @@ void validateLevels(const Model& model, const std::vector<std::size_t>& cells) {
         malformed(fmt::format("node {}: MSFT_lod node {} has levels of its own", i, level));
       if (!isGroup) validateCells(model, i, level, cells);
     }
+    validateCellLevels(model, i, known);
   }
 }
 

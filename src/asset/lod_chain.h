@@ -3,13 +3,15 @@
 // On the LOD 0 node:   extensions.MSFT_lod.ids = [node of LOD 1, node of LOD 2, ...]     (these nodes are in no scene)
 //                      extras.MSFT_screencoverage = [c0, c1, ...]                        one per level, descending
 //                      The last node may hold nothing: below the threshold before it, the object is not shown.
-// On each level's mesh: extras.jalousie = {"format": 5, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
+// On each level's mesh: extras.jalousie = {"format": 6, "lod": k, "triangles": t, "vertices": v, "errorObject": e,
 //                      "diagonal": d, "toOriginal": D, "fromOriginal": D, "twoSided": D, "normalDegrees": S, "uv": S,
 //                      "coverage": c, "target": e, "stop": "...", "cells": {"triangles": [[n0, n1, ...], ...]},
-//                      "faces": {"kind": "masks" or "clusters", "trees": [[n0, n1, ...], 0, ...]}}
+//                      "faces": {"kind": "masks" or "clusters", "trees": [[n0, n1, ...], 0, ...]},
+//                      "cellLevels": {"producers": [...], "groups": [...], "max": [...], "mean": [...]}}
 //                      D = {"max", "mean", "maxPercent", "meanPercent"}, S = {"mean", "p95"}
 //                      cells: for each primitive the triangles of each cell, in the order of the primitive's triangles
 //                      faces: for each primitive its groups of triangles of similar facing (asset/lod_faces.h)
+//                      cellLevels: groups of cells that choose a level together (asset/lod_cell_levels.h)
 //
 // Version history
 //   1  first
@@ -17,6 +19,7 @@
 //   3  "cells", which may be absent; files of formats 1 and 2 are still read
 //   4  "target", which may be absent; files of formats 1 to 3 are still read
 //   5  "faces", which may be absent; files of formats 1 to 4 are still read
+//   6  "cellLevels", which may be absent; files of formats 1 to 5 are still read
 #pragma once
 
 #include <tiny_gltf.h>
@@ -30,7 +33,7 @@
 
 namespace jalousie::asset {
 
-inline constexpr int kLodFormatVersion = 5;
+inline constexpr int kLodFormatVersion = 6;
 
 /// Distances from the points of one surface to another, object-space length.
 struct DistanceInfo {

@@ -597,6 +597,39 @@ group('cells', 5, damaged(divided), [
     [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 2])), [ofLevel(0)]: 7 }, 0],
 ]);
 
+// Groups of cells of the baked format ----------------------------------------------
+
+/** The chain in cells with format 6 and two groups of cells. */
+const levelled = structuredClone(divided);
+[{ groups: [0, 0, 1], max: [0.1, 0.2], mean: [0.05, 0.1] }, { producers: [2, 1] }].forEach((cellLevels, lod) => {
+  Object.assign(levelled.json.meshes[lod].extras.jalousie, { format: 6, cellLevels });
+});
+const groupsOf = (lod) => `/meshes/${lod}/extras/jalousie/cellLevels`;
+
+group('cell-levels', 5, damaged(levelled), [
+  ['valid', 'a chain with groups of cells', {}, 0],
+  ['number', 'the table is a number', { [groupsOf(0)]: 3 }],
+  ['empty', 'the table has neither producers nor groups', { [groupsOf(1)]: { kind: 1 } }],
+  ['groups-object', 'the groups are an object', { [`${groupsOf(0)}/groups`]: { 0: [1, 2] } }],
+  ['group-2', 'a cell is in a group that is not there', { [`${groupsOf(0)}/groups/2`]: 2 }],
+  ['negative', 'the number of a group is negative', { [`${groupsOf(0)}/groups/2`]: -1 }],
+  ['fraction', 'the number of a group is 0.5', { [`${groupsOf(0)}/groups/2`]: 0.5 }],
+  ['group-unused', 'a group has no cell', { [`${groupsOf(0)}/groups/2`]: 0 }],
+  ['cell-uncounted', 'a filled cell is in no group', { [`${groupsOf(1)}/producers`]: [2, 0] }],
+  ['too-many', 'there are more cells than the cells', { [`${groupsOf(1)}/producers`]: [2, 2147483647] }],
+  ['max-string', 'an error is a string', { [`${groupsOf(0)}/max/0`]: '0.1' }],
+  ['max-1e300', 'an error is no float', { [`${groupsOf(0)}/max/0`]: 1e300 }],
+  ['mean-above', 'a mean is larger than its maximum', { [`${groupsOf(0)}/mean/0`]: 0.15 }],
+  ['lengths', 'there are fewer means than maxima', { [`${groupsOf(0)}/mean`]: [0.05] }],
+  ['producers-finest', 'LOD 0 has producers', { [`${groupsOf(0)}/producers`]: [3] }],
+  ['groups-coarsest', 'the last level has groups',
+    { [groupsOf(1)]: { producers: [2, 1], groups: [0, 0, 0], max: [0.2], mean: [0.1] } }],
+  ['producers-other-count', 'a level has fewer producers than groups before', { [`${groupsOf(1)}/producers`]: [3] }],
+  ['level-missing', 'the coarse level has none', { [groupsOf(1)]: undefined }],
+  ['older-format', 'a file of format 5 has a key of a later format', { ...Object.fromEntries(
+    [0, 1].map((lod) => [`/meshes/${lod}/extras/jalousie/format`, 5])), [groupsOf(0)]: 7 }, 0],
+]);
+
 // Groups of back faces of the baked format -----------------------------------------
 
 /** The chain in cells with format 5 and groups. */
