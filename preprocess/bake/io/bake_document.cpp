@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asset/accessor.h"
+#include "asset/lod_cell_levels.h"
 #include "asset/lod_chain.h"
 #include "asset/lod_faces.h"
 #include "bake/io/baked_mesh.h"
@@ -165,6 +166,7 @@ Written writeEqual(tinygltf::Model& model, std::size_t index, const Document& do
   asset::setLodInfo(mesh, first.report.levels[0]);
   const asset::CellTriangles cells = asset::lodCells(model, finest);
   if (!cells.empty()) asset::setLodCells(mesh, cells);
+  asset::setLodCellLevels(mesh, asset::lodCellLevels(model, finest));
   asset::setLodFaces(mesh, asset::lodFaces(model, finest));
   written.levelMeshes[0] = static_cast<int>(index);
   linkNodes(model, document.channels, document.use.users[index], written.levelMeshes, written.coverage);

@@ -41,7 +41,9 @@ std::uint64_t groupCount(const asset::LodFaces& faces) {
 int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const CombinedMesh& level, std::size_t k,
                BakedMesh& baked) {
   asset::LodInfo& info = baked.prepared.report.levels[k];
-  const WrittenMesh written = appendLevelMesh(model, source, level, orderByCells(level, baked.tree), baked.faces);
+  const bool hasLevels = baked.chain.levels[k].cells.has_value();
+  const CellOrder order = hasLevels ? orderByCells(baked.chain, k) : orderByCells(level, baked.tree);
+  const WrittenMesh written = appendLevelMesh(model, source, level, order, baked.faces);
   if (k == 0) baked.prepared.report.faceGroups = groupCount(written.faces);
   tinygltf::Mesh& target = model.meshes[static_cast<std::size_t>(written.mesh)];
   if (info.lod > 0) target.name = fmt::format("{}_lod{}", source.name, info.lod);
@@ -49,7 +51,8 @@ int writeLevel(tinygltf::Model& model, const tinygltf::Mesh& source, const Combi
   if (info.lod == 0) target.extensions = source.extensions;
   info.vertices = written.vertices;
   asset::setLodInfo(target, info);
-  if (baked.tree) asset::setLodCells(target, written.cells);
+  if (baked.tree || hasLevels) asset::setLodCells(target, written.cells);
+  if (hasLevels) asset::setLodCellLevels(target, cellLevelsOf(baked.chain, k));
   asset::setLodFaces(target, written.faces);
   return written.mesh;
 }
@@ -68,6 +71,21 @@ double quantizeReserve(const WedgeMesh& mesh, const ChainOptions& chain, double 
   return asset::quantizeRounding(double{std::max({extent.x, extent.y, extent.z})} + 2.0 * beyond);
 }
 
+/// Whether LOD 0 as it is written has the triangles that are simplified, in their order.
+bool hasTrianglesOf(const CombinedMesh& finest, const CombinedMesh& mesh) {
+  if (finest.indices.size() != mesh.indices.size()) return false;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    if (finest.positions[finest.indices[i]] != mesh.positions[mesh.indices[i]]) return false;
+  return true;
+}
+
+/// Triangles of cells with levels of their own; 0 if the options or the mesh have none.
+std::uint32_t trianglesOfCellLevels(const PreparedMesh& prepared, const BakeOptions& options) {
+  if (!options.cells.levels) return 0;
+  if (prepared.finest && !hasTrianglesOf(*prepared.finest, prepared.mesh)) return 0;
+  return cellTriangles(prepared.mesh, options.cells);
+}
+
 }  // namespace
 
 BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUse& use, const BakeOptions& options,
@@ -79,6 +97,7 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUs
   MeshReport& report = baked.prepared.report;
   ChainOptions chain = options.chain;
   chain.collapse.lockedVertices = verticesAt(*wedges, options.locked);
+  chain.cellTriangles = trianglesOfCellLevels(baked.prepared, options);
   if (options.quantized && !chain.errors.empty()) chain.errorReserve = quantizeReserve(*wedges, chain, report.diagonal);
   baked.chain = makeChain(*wedges, chain, progress);
   report.stopReason = baked.chain.stopReason;
@@ -89,8 +108,9 @@ BakedMesh bakeMesh(const tinygltf::Model& model, std::size_t index, const MeshUs
   for (const ChainLevel& level : baked.chain.levels)
     report.removedParts.push_back(level.removedParts);
   baked.faces = options.faces;
-  baked.tree = divideIntoCells(baked.prepared.mesh, options.cells);
-  report.cells = baked.tree ? baked.tree->cellCount() : 0;
+  const std::optional<CellDivision>& cells = baked.chain.levels.front().cells;
+  if (!cells) baked.tree = divideIntoCells(baked.prepared.mesh, options.cells);
+  report.cells = cells ? cells->cells : baked.tree ? baked.tree->cellCount() : 0;
   baked.prepared.wedges.reset();  // the chain has a copy
   return baked;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "asset/lod_cell_levels.h"
 #include "asset/mesh_occluders.h"
 #include "asset/triangle_count.h"
 #include "bake/io/level_nodes.h"
@@ -35,6 +36,20 @@ InspectedCells inspectCells(const asset::CellTriangles& primitives) {
     cells.largest = std::max(cells.largest, count);
   }
   return cells;
+}
+
+InspectedGroups inspectGroups(const asset::LodCellLevels& levels) {
+  InspectedGroups groups;
+  groups.count = levels.errors.size();
+  std::vector<std::uint64_t> cells(groups.count, 0);
+  for (const std::uint32_t group : levels.groupOf)
+    groups.mostCells = std::max(groups.mostCells, ++cells[group]);
+  if (groups.count > 0) groups.least = groups.largest = levels.errors[0];
+  for (const asset::DistanceInfo& error : levels.errors) {
+    groups.least = {std::min(groups.least.max, error.max), std::min(groups.least.mean, error.mean)};
+    groups.largest = {std::max(groups.largest.max, error.max), std::max(groups.largest.mean, error.mean)};
+  }
+  return groups;
 }
 
 InspectedFaces inspectFaces(const asset::LodFaces& faces) {
@@ -68,8 +83,17 @@ InspectedLevel inspectMesh(const tinygltf::Model& model, int index) {
   }
   level.info = asset::lodInfo(mesh);
   level.cells = inspectCells(asset::lodCells(model, mesh));
+  level.groups = inspectGroups(asset::lodCellLevels(model, mesh));
   level.faces = inspectFaces(asset::lodFaces(model, mesh));
   return level;
+}
+
+/// "  115 groups to LOD 1, max 0.0021 to 0.0187 %" behind the figures of a level; empty without groups.
+std::string groupsText(const InspectedLevel& level, std::size_t k) {
+  if (level.groups.count == 0) return "";
+  const double diagonal = level.info->measures->diagonal;
+  return fmt::format("  {} groups to LOD {}, max {:.4f} to {:.4f} %", level.groups.count, k + 1,
+                     percentOf(diagonal, level.groups.least.max), percentOf(diagonal, level.groups.largest.max));
 }
 
 /// A figure of a level as text; '-' if the file does not store it.
@@ -98,13 +122,21 @@ std::string levelText(const InspectedChain& chain, std::size_t k) {
   const auto uv = [](const asset::LodMeasures& m) { return m.uv.mean; };
   std::string target;
   if (hasTargets(chain)) target = " " + cell(level, "{}", targetText);
-  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9}{} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}{}\n", k,
+  return fmt::format("  {:>3} {:>10} {:>10} {:>7.2f} {:>9}{} {:>9} {:>8} {:>8} {:>9} {:>9} {:>7} {:>7}{}{}\n", k,
                      level.triangles, level.vertices, share, cell(level, "{:.4f}", largest), target,
                      cell(level, "{:.5f}", mean), cell(level, "{:.2f}°", normal), cell(level, "{:.2f}°", p95),
                      cell(level, "{:.2g}", uv),
                      k < chain.coverage.size() ? fmt::format("{:.2g}", chain.coverage[k]) : "-",
                      level.cells.count > 0 ? fmt::format("{}", level.cells.filled) : "-",
-                     level.cells.count > 0 ? fmt::format("{}", level.cells.largest) : "-", facesText(level.faces));
+                     level.cells.count > 0 ? fmt::format("{}", level.cells.largest) : "-", groupsText(level, k),
+                     facesText(level.faces));
+}
+
+ordered_json groupsJson(const InspectedGroups& groups, double diagonal) {
+  return {{"groups", groups.count},
+          {"most_cells", groups.mostCells},
+          {"max_percent", {percentOf(diagonal, groups.least.max), percentOf(diagonal, groups.largest.max)}},
+          {"mean_percent", {percentOf(diagonal, groups.least.mean), percentOf(diagonal, groups.largest.mean)}}};
 }
 
 ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
@@ -127,6 +159,7 @@ ordered_json levelJson(const InspectedChain& chain, std::size_t k) {
   if (level.info) json["error_object"] = level.info->errorObject;
   if (!level.info || !level.info->measures) return json;
   const asset::LodMeasures& measures = *level.info->measures;
+  if (level.groups.count > 0) json["cell_levels"] = groupsJson(level.groups, measures.diagonal);
   json["error_percent"] = percentOf(measures.diagonal, level.info->errorObject);
   if (measures.target) {
     json["target_object"] = *measures.target;

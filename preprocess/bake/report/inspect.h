@@ -21,6 +21,14 @@ struct InspectedCells {
   std::uint64_t largest = 0;  ///< triangles
 };
 
+/// Groups of cells that choose a level together, of one level.
+struct InspectedGroups {
+  std::uint64_t count = 0;      ///< 0: there are none, or the level is the last one
+  std::uint64_t mostCells = 0;  ///< of one group
+  asset::DistanceInfo least;    ///< smallest stored maximum and mean of a group, object-space length
+  asset::DistanceInfo largest;
+};
+
 /// Groups of triangles that face alike, of all primitives.
 struct InspectedFaces {
   asset::FaceGrouping grouping = asset::FaceGrouping::kOff;  ///< kOff: there are none
@@ -35,6 +43,7 @@ struct InspectedLevel {
   std::uint64_t vertices = 0;          ///< sum of the primitives' POSITION counts
   std::optional<asset::LodInfo> info;  ///< what our baker wrote; absent in other tools' files
   InspectedCells cells;
+  InspectedGroups groups;
   InspectedFaces faces;
 };
 
@@ -49,7 +58,7 @@ struct InspectedChain {
 };
 
 /// Chains by the meshes of their LOD 0, in the order of the meshes.
-/// Errors: kMalformed (of lodNodes, lodInfo, lodCells and lodFaces).
+/// Errors: kMalformed (of lodNodes, lodInfo, lodCells, lodCellLevels and lodFaces).
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
 /// One table per chain; '-' for figures that the file does not store.
@@ -59,6 +68,7 @@ std::string inspectText(const std::vector<InspectedChain>& chains);
 ///   "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
 ///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
 ///   "stop", "cells": {"count", "filled", "largest", "mean"},
+///   "cell_levels": {"groups", "most_cells", "max_percent": [least, largest], "mean_percent": [least, largest]},
 ///   "faces": {"kind", "groups", "triangles", "largest"}}]}]}
 std::string inspectJson(const std::vector<InspectedChain>& chains);
 
