@@ -40,6 +40,7 @@ endif()
 if(JALOUSIE_BUILD_TOOLS)
   jalousie_man_page(jalousie-bake "bake meshes into glTF with discrete LOD chains")
   jalousie_man_page(jalousie-bake "show the LOD chains of a glTF file" inspect)
+  jalousie_man_page(jalousie-bake "choose a level for each cell of a chain" cut)
   jalousie_man_page(jalousie-scatter "scatter copies of a baked object in a cube")
 endif()
 

@@ -37,11 +37,23 @@ void inspect(const bake::CommandLine& command) {
   }
 }
 
+void cut(const bake::CommandLine& command) {
+  const std::filesystem::path file = command.inputs.front();
+  checkOutputs(std::vector<NamedFile>{{"-o", command.output, OutputKind::kScene},
+                                      {"--json", command.json, OutputKind::kReport, true}},
+               std::vector{file}, command.replace);
+  tinygltf::Model model = asset::loadGltf(file, command.cut->limits);
+  const std::vector<bake::CutNode> nodes = bake::cutDocument(model, *command.cut);
+  asset::saveGlb(model, command.output, {command.compress});
+  if (!command.json.empty()) writeText(command.json, bake::cutJson(nodes));
+  if (!command.quiet && command.json != kStandardOutput) printOutput(bake::cutText(nodes));
+}
+
 int run(int argc, char** argv) {
   const std::optional<bake::CommandLine> command = bake::parseCommandLine(argc, argv);
   if (!command) return 0;
-  if (!command->inspect) return bake::runBake(*command);
-  cli::withFile(command->inputs.front(), [&] { inspect(*command); });
+  if (!command->inspect && !command->cut) return bake::runBake(*command);
+  cli::withFile(command->inputs.front(), [&] { command->cut ? cut(*command) : inspect(*command); });
   return 0;
 }
 

@@ -27,6 +27,7 @@ constexpr Page kPages[] = {
     {"jalousie-record", JALOUSIE_PROGRAM, "record"},
     {"jalousie-bake", JALOUSIE_BAKE_PROGRAM, ""},
     {"jalousie-bake-inspect", JALOUSIE_BAKE_PROGRAM, "inspect"},
+    {"jalousie-bake-cut", JALOUSIE_BAKE_PROGRAM, "cut"},
     {"jalousie-scatter", JALOUSIE_SCATTER_PROGRAM, ""},
 };
 

@@ -41,6 +41,8 @@ constexpr const char* kExamples = R"(Examples:
       bake three levels, each with as few triangles as its error allows
   jalousie-bake inspect dragon.glb
       print the LOD chain of any glTF file
+  jalousie-bake cut bunny.glb -o near.glb --from 0,0.1,0.3
+      choose a level for each cell of a file baked with --cell-levels, for one place of the eye
   jalousie-bake city.gltf -o city.glb --levels 6 --ratio 0.4 --json report.json
       bake every mesh of a scene; hierarchy, materials and textures are kept
   jalousie-bake models 'extra/**/*.obj' -o baked/ --cache ~/.cache/jalousie --json baked.json
@@ -56,6 +58,18 @@ constexpr const char* kInspectExamples = R"(Examples:
       print triangles, errors and screen coverage of every chain
   jalousie-bake inspect other_tools.glb --sheet sheet.html
       write a page with every level beside the original; levels without stored measures are measured)";
+
+constexpr const char* kCutExamples = R"(Examples:
+  jalousie-bake dragon.ply -o dragon.glb --cell-levels
+  jalousie-bake cut dragon.glb -o near.glb --from 0,0.1,0.3 --pixels 1 --height 1080
+      fine cells near the eye and coarse ones behind, in one mesh without cracks
+  jalousie-bake cut dragon.glb -o flat.glb --error 0.05%
+      the coarsest cells whose largest deviation is at most 0.05 % of the diagonal
+  jalousie-bake cut dragon.glb -o near.glb --from 0,0.1,0.3 --json report.json
+      also write triangles and cells of each level
+
+The largest deviations of groups of cells come from sampled points. The levels of the input stay in the output as meshes
+that no node shows.)";
 
 constexpr const char* kBaking = "Baking";    // options that change the bytes of the output
 constexpr const char* kRunning = "Running";  // options that do not
@@ -91,6 +105,83 @@ std::optional<CommandLine> parseInspect(int argc, const char* const* argv) {
   program.footer(kInspectExamples);
   if (!cli::parse(program, argc, argv)) return std::nullopt;
   if (json) result.json = "-";
+  return result;
+}
+
+/// Removes the sign of a percentage. @return  empty, or what is wrong with the number
+std::string percentNumber(std::string& text) {
+  constexpr double kMost = 100.0;
+  const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc() || end != digits.data() + digits.size() || !(number > 0.0 && number <= kMost))
+    return fmt::format("{} is not a percentage above 0, at most {:g}", text, kMost);
+  text = digits;
+  return {};
+}
+
+/// "X,Y,Z" as three finite numbers; nullopt if the text is none.
+std::optional<glm::dvec3> placeIn(const std::string& text) {
+  glm::dvec3 place(0.0);
+  std::vector<std::string> parts = CLI::detail::split(text, ',');
+  if (parts.size() != 3) return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!CLI::detail::lexical_cast(parts[static_cast<std::size_t>(axis)], place[axis]) || !std::isfinite(place[axis]))
+      return std::nullopt;
+  return place;
+}
+
+void addCutLimits(CLI::App& program, CutOptions& cut) {
+  CLI::Option* const from = program
+                                .add_option_function<std::string>(
+                                    "--from", [&cut](const std::string& text) { cut.eye = placeIn(text); },
+                                    "Choose levels for an eye at this place in the scene, e.g. 0,0.1,0.3")
+                                ->check(CLI::Validator(
+                                    [](const std::string& text) {
+                                      return placeIn(text) ? std::string() : fmt::format("{} is not X,Y,Z", text);
+                                    },
+                                    ""))
+                                ->type_name("X,Y,Z");
+  program.add_option("--pixels", cut.pixels, "Allow this screen-space error, pixels")
+      ->needs(from)
+      ->check(cli::inRange(0.01, 1000.0).description(""))
+      ->type_name(rangeText(0.01, 1000.0))
+      ->capture_default_str();
+  program.add_option("--height", cut.height, "Set the height of the screen, pixels")
+      ->needs(from)
+      ->check(cli::inRange(16.0, 100'000.0).description(""))
+      ->type_name(rangeText(16.0, 100'000.0))
+      ->capture_default_str();
+  program.add_option("--fov", cut.fieldOfView, "Set the vertical field of view, degrees")
+      ->needs(from)
+      ->check(cli::inRange(1.0, 170.0).description(""))
+      ->type_name(rangeText(1.0, 170.0))
+      ->capture_default_str();
+  program
+      .add_option("--error", cut.errorPercent,
+                  "Without --from: allow this error everywhere, % of the bounding box diagonal, e.g. 0.05%")
+      ->transform(CLI::Validator(percentNumber, ""))
+      ->excludes(from)
+      ->type_name("E")
+      ->capture_default_str();
+}
+
+std::optional<CommandLine> parseCut(int argc, const char* const* argv) {
+  CommandLine result;
+  CutOptions& cut = result.cut.emplace();
+  CLI::App program{"Replaces chains baked with --cell-levels by one mesh each, whose cells have levels of their own",
+                   "jalousie-bake cut"};
+  program.get_formatter()->column_width(32);
+  program.add_option("input", result.inputs, "Read this glTF or GLB file")->required()->expected(1)->type_name("FILE");
+  program.add_option("-o,--output", result.output, "Write this file")->required()->type_name("OUT.glb");
+  addCutLimits(program, cut);
+  program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
+  program.add_option("--json", result.json, "Write a report as JSON; - for standard output")->type_name("REPORT");
+  cli::addForceOption(program, result.replace);
+  program.add_flag("-q,--quiet", result.quiet, "Print no table");
+  program.footer(kCutExamples);
+  if (!cli::parse(program, argc, argv)) return std::nullopt;
+  cut.limits = result.bake.limits;
   return result;
 }
 
@@ -157,18 +248,6 @@ void addRunOptions(CLI::App& program, CommandLine& result, std::optional<double>
       ->check(cli::inRange(0.0, 1e6).description(""))
       ->type_name(rangeText(0.0, 1e6));
   program.add_flag("-q,--quiet", result.quiet, "Print no progress and no table");
-}
-
-/// Removes the sign of a percentage. @return  empty, or what is wrong with the number
-std::string percentNumber(std::string& text) {
-  constexpr double kMost = 100.0;
-  const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc() || end != digits.data() + digits.size() || !(number > 0.0 && number <= kMost))
-    return fmt::format("{} is not a percentage above 0, at most {:g}", text, kMost);
-  text = digits;
-  return {};
 }
 
 /// The levels of a chain and when it ends.
@@ -262,12 +341,12 @@ constexpr std::uint32_t kMostPerCell = 65536;
 /// auto, off or a number of triangles; nullopt if the text is none of them.
 std::optional<CellOptions> cellOptions(const std::string& text) {
   if (CLI::detail::to_lower(text) == "auto") return CellOptions();
-  if (CLI::detail::to_lower(text) == "off") return CellOptions{0, true};
+  if (CLI::detail::to_lower(text) == "off") return CellOptions{0, true, false};
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   if (number < kLeastPerCell || number > kMostPerCell) return std::nullopt;
-  return CellOptions{number, false};
+  return CellOptions{number, false, false};
 }
 
 void addCellOption(CLI::App& program, CellOptions& cells) {
@@ -277,12 +356,21 @@ void addCellOption(CLI::App& program, CellOptions& cells) {
   };
   program
       .add_option_function<std::string>(
-          "--cells", [&cells](const std::string& text) { cells = *cellOptions(text); },
+          "--cells",
+          [&cells](const std::string& text) {
+            const bool levels = cells.levels;
+            cells = *cellOptions(text);
+            cells.levels = levels;
+          },
           "Order the triangles by spatial cells that are culled one by one, with at most this many triangles each; "
           "auto: 256, meshes of up to 512 triangles are not divided; off: no cells")
       ->check(CLI::Validator(check, ""))
       ->type_name(fmt::format("auto|{}|off", rangeText(kLeastPerCell, kMostPerCell)))
       ->default_str("auto");
+  program.add_flag("--cell-levels", cells.levels,
+                   "Make the levels so that each group of neighbouring cells can have a level of its own without a "
+                   "crack, and store the groups and their errors, e.g. jalousie-bake bunny.ply -o bunny.glb "
+                   "--cell-levels; not with --cells off, --error or --preset draft");
 }
 
 void addFaceOption(CLI::App& program, asset::FaceGrouping& faces) {
@@ -374,12 +462,23 @@ void addDocumentOptions(CLI::App& program, CommandLine& result) {
   program.add_flag("--compress", result.compress, "Compress vertices and indices (EXT_meshopt_compression)");
 }
 
+/// What a level per cell does not go with.
+void checkCellLevels(const BakeOptions& bake) {
+  if (!bake.cells.levels) return;
+  const char* other = bake.cells.trianglesPerCell == 0      ? "--cells off; use --cells auto"
+                      : bake.chain.preset == Preset::kDraft ? "--preset draft; use best or fast"
+                      : !bake.chain.errors.empty()          ? "--error; use --ratio or --ratios"
+                                                            : nullptr;
+  if (other != nullptr) throw Error(ErrorCode::kUsage, fmt::format("--cell-levels cannot be used with {}", other));
+}
+
 /// Checks options against each other.
 void checkOptions(const CLI::App& program, const CommandLine& result) {
   const ChainOptions& chain = result.bake.chain;
   for (const char* weight : {"--weight-normal", "--weight-uv", "--weight-color"})
     if (chain.preset == Preset::kDraft && program.count(weight) > 0)
       throw Error(ErrorCode::kUsage, fmt::format("{} has no effect with --preset draft; use best or fast", weight));
+  checkCellLevels(result.bake);
   if (chain.preset == Preset::kDraft && program.count("--budget") > 0 && result.bake.sceneBudget)
     throw Error(ErrorCode::kUsage, "--budget scene has no effect with --preset draft; use best or fast");
   if (std::adjacent_find(chain.ratios.begin(), chain.ratios.end(), std::less_equal<>()) != chain.ratios.end())
@@ -418,6 +517,7 @@ bool isBatch(const CommandLine& command) {
 
 std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv) {
   if (argc > 1 && std::string_view(argv[1]) == "inspect") return parseInspect(argc - 1, argv + 1);
+  if (argc > 1 && std::string_view(argv[1]) == "cut") return parseCut(argc - 1, argv + 1);
   CommandLine result;
   std::optional<double> timeout;
   CLI::App program{"Bakes meshes into glTF with discrete LOD chains and a measured error per level", "jalousie-bake"};

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "bake/io/bake_options.h"
+#include "bake/io/cut_document.h"
 #include "core/output_files.h"
 
 namespace jalousie::bake {
 
 struct CommandLine {
   bool inspect = false;             ///< "inspect FILE": only inputs, json ("-" or empty), sheet and quiet matter
+  std::optional<CutOptions> cut;    ///< "cut FILE -o OUT": only inputs, output, compress, json and quiet matter
   std::vector<std::string> inputs;  ///< files, folders, patterns
   std::filesystem::path filesFrom;  ///< a list of more inputs; empty: none; "-": standard input
   std::filesystem::path output;     ///< a file, or a folder for a batch
