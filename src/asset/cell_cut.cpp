@@ -55,22 +55,31 @@ std::vector<std::vector<Aabb>> groupBoxes(const CellHierarchy& hierarchy,
   return boxes;
 }
 
-CellCut cutForEye(const CellHierarchy& hierarchy, const std::vector<std::vector<Aabb>>& boxes, const glm::dvec3& eye,
-                  double slope) {
+namespace {
+
+/// Makes each group coarse whose deviation is at most limit(level, group).
+template <class Limit>
+CellCut cutWithin(const CellHierarchy& hierarchy, CutBy by, const Limit& limit) {
   CellCut cut = hierarchy.uniform(0);
-  for (std::size_t k = 0; k < cut.size(); ++k)
-    for (std::uint32_t group = 0; group < cut[k].size(); ++group)
-      cut[k][group] = hierarchy.error(k, group).max <= slope * distanceToBox(eye, boxes[k][group]) ? std::uint8_t{1}
-                                                                                                   : std::uint8_t{0};
+  for (std::size_t k = 0; k < cut.size(); ++k) {
+    for (std::uint32_t group = 0; group < cut[k].size(); ++group) {
+      const DistanceInfo& error = hierarchy.error(k, group);
+      cut[k][group] = (by == CutBy::kMean ? error.mean : error.max) <= limit(k, group) ? 1 : 0;
+    }
+  }
   return cut;
 }
 
-CellCut cutForError(const CellHierarchy& hierarchy, double error) {
-  CellCut cut = hierarchy.uniform(0);
-  for (std::size_t k = 0; k < cut.size(); ++k)
-    for (std::uint32_t group = 0; group < cut[k].size(); ++group)
-      cut[k][group] = hierarchy.error(k, group).max <= error ? std::uint8_t{1} : std::uint8_t{0};
-  return cut;
+}  // namespace
+
+CellCut cutForEye(const CellHierarchy& hierarchy, const std::vector<std::vector<Aabb>>& boxes, const glm::dvec3& eye,
+                  double slope, CutBy by) {
+  return cutWithin(hierarchy, by,
+                   [&](std::size_t k, std::uint32_t group) { return slope * distanceToBox(eye, boxes[k][group]); });
+}
+
+CellCut cutForError(const CellHierarchy& hierarchy, double error, CutBy by) {
+  return cutWithin(hierarchy, by, [&](std::size_t, std::uint32_t) { return error; });
 }
 
 double distanceToBox(const glm::dvec3& point, const Aabb& box) {

@@ -51,15 +51,18 @@ class CellHierarchy {
 std::vector<std::vector<Aabb>> groupBoxes(const CellHierarchy& hierarchy,
                                           const std::vector<std::vector<Aabb>>& cellBoxes);
 
-/// Makes a group coarse if the largest deviation of what it became is at most `slope` times the distance of the eye to
+/// Which deviation of what a group became decides.
+enum class CutBy : std::uint8_t { kLargest, kMean };
+
+/// Makes a group coarse if the deviation of what it became is at most `slope` times the distance of the eye to
 /// its box. The cut is legal without further ado, because errors and boxes grow with the hierarchy.
 /// @param boxes  from groupBoxes   @param eye  object space
 /// @param slope  length per length; for p pixels on a screen of height h with the vertical field of view a it is
 /// 2 p tan(a / 2) / h
 CellCut cutForEye(const CellHierarchy& hierarchy, const std::vector<std::vector<Aabb>>& boxes, const glm::dvec3& eye,
-                  double slope);
-/// Makes a group coarse if the largest deviation of what it became is at most a length.
-CellCut cutForError(const CellHierarchy& hierarchy, double error);
+                  double slope, CutBy by = CutBy::kLargest);
+/// Makes a group coarse if the deviation of what it became is at most a length.
+CellCut cutForError(const CellHierarchy& hierarchy, double error, CutBy by = CutBy::kLargest);
 
 /// 0 inside of the box. @pre the box is not empty
 double distanceToBox(const glm::dvec3& point, const Aabb& box);

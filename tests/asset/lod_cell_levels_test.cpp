@@ -211,6 +211,7 @@ TEST(CellCut, ByEyeAndErrorIsLegalByItself) {
   }
   EXPECT_GE(seen.size(), 4U);
   EXPECT_EQ(cutForError(hierarchy, 0.3), (CellCut{{0, 1}, {0}}));
+  EXPECT_EQ(cutForError(hierarchy, 0.3, CutBy::kMean), (CellCut{{1, 1}, {1}}));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct PrimitiveCells {
 struct LevelToCut {
   std::vector<PrimitiveCells> primitives;
   std::vector<Aabb> boxes;  ///< of cells
-  double error = 0.0;       ///< stored, object-space length
+  double error = 0.0;       ///< object-space length: the stored one, or the mean
   std::uint64_t triangles = 0;
 };
 
@@ -74,7 +74,8 @@ LevelToCut readLevel(const tinygltf::Model& model, int node, std::uint32_t cellC
   const asset::CellTriangles cells = asset::lodCells(model, mesh);
   LevelToCut level;
   level.boxes.resize(cellCount);
-  level.error = asset::lodInfo(mesh)->errorObject;
+  const asset::LodInfo info = *asset::lodInfo(mesh);  // a mesh with groups has all measures
+  level.error = options.by == asset::CutBy::kMean ? info.measures->twoSided.mean : info.errorObject;
   for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
     level.primitives.push_back(readPrimitive(model, mesh.primitives[p], cells[p], options, level.boxes));
     level.triangles += asset::triangleCount(model, mesh.primitives[p]);
@@ -159,14 +160,14 @@ class ChainCut {
   }
 
   asset::CellCut choose(const asset::CellHierarchy& hierarchy, const ObjectView& view) const {
-    if (!options_.eye) return asset::cutForError(hierarchy, lengthLimit());
+    if (!options_.eye) return asset::cutForError(hierarchy, lengthLimit(), options_.by);
     std::vector<std::vector<Aabb>> boxes;
     for (const LevelToCut& level : levels_)
       boxes.push_back(level.boxes);
-    return asset::cutForEye(hierarchy, asset::groupBoxes(hierarchy, boxes), view.eye, view.slope);
+    return asset::cutForEye(hierarchy, asset::groupBoxes(hierarchy, boxes), view.eye, view.slope, options_.by);
   }
 
-  /// The coarsest whole level by its stored error.
+  /// The coarsest whole level by its own error.
   void chooseWhole(const ObjectView& view, CutNode& result) const {
     Aabb box;
     for (const Aabb& cell : levels_[0].boxes)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/cell_cut.h"
 #include "asset/read_limits.h"
 
 namespace jalousie::bake {
@@ -19,6 +20,7 @@ struct CutOptions {
   double height = 1080.0;         ///< of the screen, pixels
   double fieldOfView = 60.0;      ///< vertical, degrees
   double errorPercent = 0.1;      ///< of the diagonal of LOD 0, without an eye
+  asset::CutBy by = asset::CutBy::kLargest;
   asset::Limits limits;
 };
 

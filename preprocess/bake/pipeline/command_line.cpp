@@ -65,11 +65,12 @@ constexpr const char* kCutExamples = R"(Examples:
       fine cells near the eye and coarse ones behind, in one mesh without cracks
   jalousie-bake cut dragon.glb -o flat.glb --error 0.05%
       the coarsest cells whose largest deviation is at most 0.05 % of the diagonal
+  jalousie-bake cut city.glb -o street.glb --from 0,8,0 --mean --pixels 0.2
+      by the mean deviation of each group of cells, at most 0.2 pixels
   jalousie-bake cut dragon.glb -o near.glb --from 0,0.1,0.3 --json report.json
       also write triangles and cells of each level
 
-The largest deviations of groups of cells come from sampled points. The levels of the input stay in the output as meshes
-that no node shows.)";
+The levels of the input stay in the output as meshes that no node shows.)";
 
 constexpr const char* kBaking = "Baking";    // options that change the bytes of the output
 constexpr const char* kRunning = "Running";  // options that do not
@@ -164,6 +165,10 @@ void addCutLimits(CLI::App& program, CutOptions& cut) {
       ->excludes(from)
       ->type_name("E")
       ->capture_default_str();
+  program.add_flag_callback(
+      "--mean", [&cut] { cut.by = asset::CutBy::kMean; },
+      "Compare the mean deviation of each group instead of its largest one: far fewer triangles, single places may "
+      "deviate more");
 }
 
 std::optional<CommandLine> parseCut(int argc, const char* const* argv) {
