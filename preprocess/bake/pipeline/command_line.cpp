@@ -167,7 +167,7 @@ void addCutLimits(CLI::App& program, CutOptions& cut) {
       ->capture_default_str();
   program.add_flag_callback(
       "--mean", [&cut] { cut.by = asset::CutBy::kMean; },
-      "Compare the mean deviation of each group instead of its largest one: far fewer triangles, single places may "
+      "Compare the mean deviation of each group instead of its largest one: fewer triangles, but single places may "
       "deviate more");
 }
 
