@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "asset/gltf_file.h"
+#include "asset/scene_rooms.h"
 #include "bake/pipeline/bake_command.h"
 #include "bake/pipeline/command_line.h"
 #include "bake/pipeline/threads.h"
@@ -31,9 +32,9 @@ void inspect(const bake::CommandLine& command) {
     writeFileAtomic(command.sheet, bake::sheetHtml(model, options));
   }
   if (command.json == kStandardOutput) {
-    printOutput(bake::inspectJson(chains));
+    printOutput(bake::inspectJson(chains, asset::roomsOf(model)));
   } else if (!command.quiet) {
-    printOutput(bake::inspectText(chains));
+    printOutput(bake::inspectText(chains, asset::roomsOf(model)));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "asset/gltf_shapes.h"
 #include "asset/mesh_occluders.h"
+#include "asset/scene_rooms.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -122,16 +123,17 @@ bool holdsLargeInteger(const json& value) {
 }
 
 /// tinygltf cuts integers to 32 bits: the counts in a baked mesh's extras would change without a word.
-void checkOwnExtras(const json& document, const Path& file) {
-  const auto meshes = document.find("meshes");
-  if (meshes == document.end() || !meshes->is_array()) return;
-  for (std::size_t i = 0; i < meshes->size(); ++i) {
-    const json& mesh = (*meshes)[i];
-    if (!mesh.is_object() || !mesh.contains("extras") || !mesh["extras"].is_object()) continue;
-    for (const char* key : {"jalousie", kOccluders}) {
-      const auto own = mesh["extras"].find(key);
-      if (own != mesh["extras"].end() && holdsLargeInteger(*own))
-        throw Error(ErrorCode::kMalformed, fmt::format("mesh {}: extras.{} holds a number above 2^31 - 1", i, key),
+void checkOwnExtras(const json& document, const char* list, const char* owner, std::initializer_list<const char*> keys,
+                    const Path& file) {
+  const auto found = document.find(list);
+  if (found == document.end() || !found->is_array()) return;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const json& element = (*found)[i];
+    if (!element.is_object() || !element.contains("extras") || !element["extras"].is_object()) continue;
+    for (const char* key : keys) {
+      const auto own = element["extras"].find(key);
+      if (own != element["extras"].end() && holdsLargeInteger(*own))
+        throw Error(ErrorCode::kMalformed, fmt::format("{} {}: extras.{} holds a number above 2^31 - 1", owner, i, key),
                     file);
     }
   }
@@ -193,7 +195,8 @@ json parseDocument(std::string_view text, const Limits& limits, const Path& file
   checkExtensions(document, file);
   checkTopLevel(document, file);
   checkNumbers(document, file);
-  checkOwnExtras(document, file);
+  checkOwnExtras(document, "meshes", "mesh", {"jalousie", kOccluders}, file);
+  checkOwnExtras(document, "scenes", "scene", {kRooms}, file);
   checkShapes(document, file);
   return document;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "asset/mesh_occluders.h"
+#include "asset/scene_rooms.h"
 
 namespace jalousie::asset {
 namespace {
@@ -79,7 +80,7 @@ bool mayHoldReference(const nlohmann::json& value) {
   }
   if (!value.is_structured()) return false;
   for (const auto& [key, member] : value.items())
-    if (key != "jalousie" && key != kOccluders && mayHoldReference(member)) return true;
+    if (key != "jalousie" && key != kOccluders && key != kRooms && mayHoldReference(member)) return true;
   return false;
 }
 

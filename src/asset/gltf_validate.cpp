@@ -21,6 +21,7 @@
 #include "asset/lod_faces.h"
 #include "asset/mesh_occluders.h"
 #include "asset/node_graph.h"
+#include "asset/scene_rooms.h"
 #include "core/error.h"
 
 namespace jalousie::asset::detail {
@@ -279,6 +280,11 @@ void validateHierarchy(const Model& model, const std::vector<std::uint8_t>& isCh
 void validateScenes(const Model& model) {
   std::vector<std::size_t> lastListed(model.nodes.size(), 0);  // 1 + the last scene that lists a node
   for (std::size_t s = 0; s < model.scenes.size(); ++s) {
+    try {
+      roomsOf(model.scenes[s]);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("scene {}: {}", s, error.what()));
+    }
     for (const int root : model.scenes[s].nodes) {
       requireIndex(root, model.nodes.size(), "scene node");
       std::size_t& last = lastListed[static_cast<std::size_t>(root)];

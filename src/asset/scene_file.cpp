@@ -24,6 +24,7 @@
 #include "asset/scene_mesh.h"
 #include "asset/scene_origin.h"
 #include "asset/scene_pose.h"
+#include "asset/scene_rooms.h"
 #include "core/error.h"
 #include "core/memory_estimate.h"
 
@@ -90,6 +91,7 @@ class SceneReader {
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         stack.push_back({*child, worldFromNode, isInGroup});
     }
+    scene_.rooms = roomsOf(model_);
     detail::placeNearOrigin(scene_, {places_, loosePlaces_});
     if (player_) {
       scene_.motion = player_->take(scene_.originWorld);

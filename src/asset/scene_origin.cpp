@@ -79,6 +79,7 @@ void placeNearOrigin(SceneFile& scene, const Places& places) {
     scene.instances[i].worldFromObject[3] = glm::vec4(places.instances[i] - scene.originWorld, 1.0);
   for (std::size_t i = 0; i < places.looseInstances.size(); ++i)
     scene.looseInstances[i].worldFromObject[3] = glm::vec4(places.looseInstances[i] - scene.originWorld, 1.0);
+  moveRooms(scene.rooms, -scene.originWorld);
   const glm::dvec4 offset(scene.originWorld, 0.0);
   for (Camera& camera : scene.cameras) {
     camera.worldFromCamera[3] -= offset;

@@ -12,6 +12,7 @@
 #include "asset/scene_motion.h"
 #include "core/convex_solid.h"
 #include "core/image.h"
+#include "core/room_plan.h"
 #include "core/shared_vector.h"
 
 namespace jalousie::asset {
@@ -183,6 +184,7 @@ struct SceneFile {
   /// Point of the document that all instances and cameras are placed relative to: 0, or the middle of a scene that is
   /// far from the document's origin, where a float has too few digits.
   glm::dvec3 originWorld{0.0};
+  RoomPlan rooms;         ///< without faults, relative to originWorld (jalousie_rooms); empty where the file has none
   SceneMotion motion;     ///< empty, unless it was asked for (SceneReading::plays)
   ContentCounts ignored;  ///< what the document holds that is not drawn
 };

@@ -77,6 +77,7 @@ class SceneBuilder {
     addMotion();
     scene_.cameras = file_.cameras;
     scene_.originWorld = file_.originWorld;
+    scene_.rooms = file_.rooms;
     addNames();
     scene_.ignored = file_.ignored;
     return std::move(scene_);

@@ -7,6 +7,7 @@
 
 #include "asset/scene_types.h"
 #include "core/aabb.h"
+#include "core/room_plan.h"
 #include "scene/bin_layout.h"
 #include "scene/cell_options.h"
 #include "scene/face_tables.h"
@@ -50,6 +51,7 @@ struct SceneData : DrawTables {
   LooseTable loose;
   MotionData motion;                     ///< empty if nothing moves
   std::vector<ChainOccluder> occluders;  ///< ascending by chain
+  RoomPlan rooms;                        ///< as asset::SceneFile
   std::vector<gpu::Material> materials;
   TextureLayers textures;
   std::vector<asset::Camera> cameras;

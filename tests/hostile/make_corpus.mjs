@@ -684,6 +684,26 @@ group('occluders', 5, damaged(divided), [
   ['outside', 'the occluder reaches out of the mesh', withOccluder({ vertices: [[0, 0, 0], [9, 0, 0], [0, 1, 0], [0, 0, 1]] })],
 ]);
 
+// Rooms ---------------------------------------------------------------------------
+
+const twoRooms = (changes = {}, portal = {}) => ({ '/scenes/0/extras': { jalousie_rooms: {
+  rooms: [{ name: 'hall', floor: 0, ceiling: 3, outline: [[[0, 0], [4, 0], [4, 4], [0, 4]]], ...changes },
+    { floor: -1, ceiling: 2, outline: [[[4, 0], [9, 0], [9, 4], [4, 4]]] }],
+  portals: [{ rooms: [0, 1], corners: [[4, 0, 1], [4, 2, 1], [4, 2, 2], [4, 0, 2]], ...portal }],
+} } });
+
+group('rooms', 5, damaged(divided), [
+  ['valid', 'two rooms and a door', twoRooms(), 0],
+  ['number', 'the plan is a number', { '/scenes/0/extras': { jalousie_rooms: 3 } }],
+  ['flat', 'a room has no height', twoRooms({ ceiling: 0 })],
+  ['floor-1e300', 'a height is 1e300', twoRooms({ floor: -1e300 })],
+  ['outline-open', 'an outline has two points', twoRooms({ outline: [[[0, 0], [4, 0]]] })],
+  ['portal-room-9', 'a portal leads to a room that does not exist', twoRooms({}, { rooms: [0, 9] })],
+  ['portal-room-2-32', 'a room is right modulo 2^32', twoRooms({}, { rooms: [0, 4294967297] })],
+  ['portal-bent', 'a portal is not flat', twoRooms({}, { corners: [[4, 0, 1], [4.5, 2, 1], [4, 2, 2], [4, 0, 2]] })],
+  ['portal-outside', 'a portal is not in the border', twoRooms({}, { corners: [[4, 0, 1], [4, 9, 1], [4, 9, 2], [4, 0, 2]] })],
+]);
+
 const INSTANCING = '/nodes/5/extensions/EXT_mesh_gpu_instancing';
 const viewless = (count) => ({ componentType: FLOAT, type: 'VEC3', count });
 

@@ -194,6 +194,50 @@ ordered_json occluderJson(const asset::Occluder& occluder) {
           {"max", {box.max.x, box.max.y, box.max.z}}};
 }
 
+/// Portals in the border of each room.
+std::vector<std::size_t> portalCounts(const RoomPlan& plan) {
+  std::vector<std::size_t> counts(plan.rooms.size());
+  for (const Portal& portal : plan.portals)
+    for (const std::uint32_t room : portal.rooms)
+      ++counts[room];
+  return counts;
+}
+
+std::size_t outlinePoints(const Room& room) {
+  std::size_t points = 0;
+  for (const std::vector<glm::dvec2>& loop : room.outline)
+    points += loop.size();
+  return points;
+}
+
+/// A line for all rooms and one for each; empty without rooms.
+std::string roomsText(const RoomPlan& plan) {
+  if (plan.empty()) return "";
+  std::string text = fmt::format("rooms: {}, portals: {}\n", plan.rooms.size(), plan.portals.size());
+  const std::vector<std::size_t> portals = portalCounts(plan);
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const Room& room = plan.rooms[i];
+    text += fmt::format("  room {}{}{}: y {:.4g} to {:.4g}, {} points, {} portals\n", i, room.name.empty() ? "" : " ",
+                        oneLine(room.name), room.floor, room.ceiling, outlinePoints(room), portals[i]);
+  }
+  return text;
+}
+
+ordered_json roomsJson(const RoomPlan& plan) {
+  ordered_json rooms = ordered_json::array();
+  const std::vector<std::size_t> portals = portalCounts(plan);
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const Room& room = plan.rooms[i];
+    const auto [low, high] = extentOf(room);
+    rooms.push_back({{"name", room.name},
+                     {"min", {low.x, room.floor, low.y}},
+                     {"max", {high.x, room.ceiling, high.y}},
+                     {"points", outlinePoints(room)},
+                     {"portals", portals[i]}});
+  }
+  return rooms;
+}
+
 }  // namespace
 
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
@@ -217,7 +261,7 @@ std::vector<InspectedChain> inspectModel(const tinygltf::Model& model) {
   return chains;
 }
 
-std::string inspectText(const std::vector<InspectedChain>& chains) {
+std::string inspectText(const std::vector<InspectedChain>& chains, const RoomPlan& rooms) {
   std::string text;
   for (const InspectedChain& chain : chains) {
     text += fmt::format("{}: {} level{}, {} node{}\n", oneLine(chain.name), chain.levels.size(),
@@ -231,10 +275,11 @@ std::string inspectText(const std::vector<InspectedChain>& chains) {
     text += occludersText(chain);
     if (last && last->measures && !last->measures->stop.empty()) text += "  " + last->measures->stop + "\n";
   }
-  return text.empty() ? "no mesh is in use\n" : text;
+  if (text.empty()) text = "no mesh is in use\n";
+  return text + roomsText(rooms);
 }
 
-std::string inspectJson(const std::vector<InspectedChain>& chains) {
+std::string inspectJson(const std::vector<InspectedChain>& chains, const RoomPlan& rooms) {
   ordered_json json;
   json["chains"] = ordered_json::array();
   for (const InspectedChain& chain : chains) {
@@ -245,6 +290,10 @@ std::string inspectJson(const std::vector<InspectedChain>& chains) {
     for (std::size_t k = 0; k < chain.levels.size(); ++k)
       entry["levels"].push_back(levelJson(chain, k));
     json["chains"].push_back(std::move(entry));
+  }
+  if (!rooms.empty()) {
+    json["rooms"] = roomsJson(rooms);
+    json["portals"] = rooms.portals.size();
   }
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -61,15 +61,16 @@ struct InspectedChain {
 /// Errors: kMalformed (of lodNodes, lodInfo, lodCells, lodCellLevels and lodFaces).
 std::vector<InspectedChain> inspectModel(const tinygltf::Model& model);
 
-/// One table per chain; '-' for figures that the file does not store.
-std::string inspectText(const std::vector<InspectedChain>& chains);
+/// One table per chain; '-' for figures that the file does not store. Behind them a line for each room.
+std::string inspectText(const std::vector<InspectedChain>& chains, const RoomPlan& rooms = {});
 /// {"chains": [{"name", "nodes", "ends_in_nothing", "occluders": [{"vertices", "faces", "levels", "min", "max"}] (where
 ///   there are any), "levels": [{"lod", "triangles", "vertices", "screen_coverage", and, where the file says,
 ///   "error_object", "error_percent", "target_object", "target_percent", "mean_percent",
 ///   "normal_degrees": {"mean", "p95"}, "uv": {"mean", "p95"},
 ///   "stop", "cells": {"count", "filled", "largest", "mean"},
 ///   "cell_levels": {"groups", "most_cells", "max_percent": [least, largest], "mean_percent": [least, largest]},
-///   "faces": {"kind", "groups", "triangles", "largest"}}]}]}
-std::string inspectJson(const std::vector<InspectedChain>& chains);
+///   "faces": {"kind", "groups", "triangles", "largest"}}]}],
+///  "rooms": [{"name", "min", "max", "points", "portals"}], "portals": count (both where the file has rooms)}
+std::string inspectJson(const std::vector<InspectedChain>& chains, const RoomPlan& rooms = {});
 
 }  // namespace jalousie::bake
