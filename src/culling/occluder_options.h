@@ -20,12 +20,19 @@ enum class Rank : std::uint8_t {
   kPaper,       ///< the published measures, which depend on the unit of length
 };
 
-/// No option changes the picture, only how much is culled and how long it takes.
+/// Which rooms are seen through portals.
+enum class PortalReach : std::uint8_t {
+  kAll,         ///< every room that is behind a row of portals
+  kNeighbours,  ///< direct neighbours alone, as printed in lectures: loses what is seen through two portals
+};
+
+/// No option but portalReach changes the picture, only how much is culled and how long it takes.
 struct OccluderOptions {
   std::uint32_t active = 15;    ///< occluders in use at a time
   std::uint32_t rankEvery = 1;  ///< frames from one choice to the next; at least 1
   Cap cap = Cap::kExact;
   Rank rank = Rank::kSolidAngle;
+  PortalReach portalReach = PortalReach::kAll;
 };
 
 }  // namespace jalousie::culling

@@ -15,6 +15,8 @@ struct QueryFigures {
   std::uint64_t slices = 0;           ///< ranges of objects drawn
   std::uint64_t sliceDraws = 0;       ///< draw calls that drew them: what lies side by side is drawn together
   std::uint64_t shadows = 0;          ///< of occluders that were tested against, in modes that cast shadows
+  std::uint64_t rooms = 0;            ///< that are seen, in modes that see rooms; 0 where everything is drawn
+  std::uint64_t portals = 0;          ///< tested, once for each time that their room is entered
   std::uint64_t nodesVisited = 0;     ///< of the hierarchy
   std::uint64_t planeTests = 0;       ///< box against plane, of the view or of a shadow
   std::uint64_t decisionNs = 0;       ///< CPU time of the decision itself, without drawing, asking and waiting

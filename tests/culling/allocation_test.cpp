@@ -10,8 +10,10 @@
 #include "culling/hierarchy.h"
 #include "culling/loose_grid.h"
 #include "culling/occluder_culling.h"
+#include "culling/portal_culling.h"
 #include "culling/schedule_table.h"
 #include "scene/camera.h"
+#include "support/building.h"
 
 namespace {
 
@@ -152,6 +154,36 @@ TEST(Allocation, ShadowsAllocateNothing) {
     EXPECT_EQ(allocations, before);
     EXPECT_GT(figures.planeTests, 1000U);
   }
+}
+
+TEST(Allocation, PortalsAllocateNothing) {
+  const test::Building building(5, {.blocks = 6});
+  Random random(5);
+  std::vector<Aabb> boxes;
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const glm::vec3 middle(building.randomPlace(random));
+    boxes.push_back({middle - 0.3F, middle + 0.3F});
+    places.push_back(i);
+  }
+  PortalCulling culling(building.plan(), boxes.size());
+  const glm::uvec2 viewport(640, 360);
+  scene::Camera camera =
+      scene::lookAt(glm::vec3(building.randomPlace(random, 0.3)), {9, 1, 9}, {glm::vec3(0), glm::vec3(20)});
+  camera.zNear = 0.05F;
+  const PortalView view =
+      makePortalView(scene::clipFromWorld(camera, 1.6F), glm::vec4(camera.positionWorld(), camera.zNear),
+                     glm::vec4(camera.forwardWorld(), 0.0F), scene::focalPixels(camera, viewport), viewport);
+  QueryFigures figures;
+  const std::uint64_t before = allocations;
+  for (int frame = 0; frame < 3; ++frame) {
+    culling.follow(boxes);
+    EXPECT_FALSE(culling.cull(view, boxes, places, PortalReach::kAll, figures).empty());
+    for (Aabb& box : boxes)
+      box = {box.min + glm::vec3(0.2F, 0.0F, 0.1F), box.max + glm::vec3(0.2F, 0.0F, 0.1F)};
+  }
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(figures.portals, 10U);
 }
 
 }  // namespace
