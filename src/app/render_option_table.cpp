@@ -333,6 +333,29 @@ std::vector<RenderOption> occluderRows() {
   };
 }
 
+ChoiceValue portalReachChoice() {
+  using culling::PortalReach;
+  return {[](const Options& o) {
+            return std::string(o.frameOptions.occluders.portalReach == PortalReach::kAll ? "all" : "neighbours");
+          },
+          [](Options& o, std::string_view name) {
+            o.frameOptions.occluders.portalReach = name == "all" ? PortalReach::kAll : PortalReach::kNeighbours;
+          },
+          {"all", "neighbours"}};
+}
+
+/// Of the mode that sees rooms (docs/cells_and_portals.md).
+std::vector<RenderOption> portalRows() {
+  return {
+      {"--portal-reach", "reach of portals", "",
+       onlyWith(&CullModeRow::seesRooms) +
+           "all = see every room behind a row of portals; neighbours = see the next rooms alone, as printed in "
+           "lectures, which loses what is seen through two portals",
+       OptionGroup::kCulling, portalReachChoice(), modesWith(&CullModeRow::seesRooms),
+       modeHas<&CullModeRow::seesRooms>},
+  };
+}
+
 std::vector<RenderOption> levelRows() {
   return {
       {"--lod", "level rule", "", "Choose the rule for levels. " + policy::helpOf(lodRuleTable()), OptionGroup::kDetail,
@@ -459,8 +482,8 @@ std::vector<RenderOption> viewRows() {
 std::vector<RenderOption> makeTable() {
   std::vector<RenderOption> rows;
   for (std::vector<RenderOption>& some :
-       std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(), occluderRows(), levelRows(), calmRows(),
-                  detailRows(), drawingRows(), viewRows()})
+       std::array{cullingRows(), faceRows(), queryRows(), queryOrderRows(), occluderRows(), portalRows(), levelRows(),
+                  calmRows(), detailRows(), drawingRows(), viewRows()})
     for (RenderOption& row : some)
       rows.push_back(std::move(row));
   return rows;

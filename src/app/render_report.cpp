@@ -101,6 +101,9 @@ std::string reportText(const RenderOptions& options, const RenderReport& report)
   if (s.shadows > 0)
     text += fmt::format("  shadows   {:>13}   nodes {}, plane tests {}, decided in {:.2f} ms\n", s.shadows,
                         grouped(s.nodesVisited), grouped(s.planeTests), 1e-6 * static_cast<double>(s.decisionNs));
+  if (s.rooms > 0)
+    text += fmt::format("  rooms     {:>13}   portals {}, objects tested {}, decided in {:.2f} ms\n", grouped(s.rooms),
+                        grouped(s.portals), grouped(s.nodesVisited), 1e-6 * static_cast<double>(s.decisionNs));
   text += fmt::format("  triangles {:>13}   {:.1f} % of {}\n", grouped(s.triangles),
                       percent(s.triangles, s.trianglesFinest), grouped(s.trianglesFinest));
   if (s.facesTested + s.facesWhole > 0)

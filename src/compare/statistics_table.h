@@ -43,6 +43,8 @@ inline constexpr StatisticsField kStatisticsFields[] = {
     {"query_switches", &render::FrameStatistics::querySwitches},
     {"slices", &render::FrameStatistics::slices},
     {"shadows", &render::FrameStatistics::shadows},
+    {"rooms", &render::FrameStatistics::rooms},
+    {"portals", &render::FrameStatistics::portals},
     {"nodes_visited", &render::FrameStatistics::nodesVisited},
     {"plane_tests", &render::FrameStatistics::planeTests},
     {"query_decision_ns", &render::FrameStatistics::decisionNs},

@@ -126,6 +126,12 @@ constexpr CullModeRow kModes[] = {
      .conservative = true,
      .castsShadows = true,
      .help = "planar with whole convex solids, which hide more than their faces"},
+    {.name = "portals",
+     .id = CullMode::kPortals,
+     .culls = true,
+     .conservative = true,
+     .seesRooms = true,
+     .help = "what is seen through the portals of the rooms that the file has; no depth is read"},
 };
 static_assert(policy::isInOrder(kModes));
 

@@ -27,6 +27,8 @@ enum class CullMode : gpu::uint {
   // Shadows of occluders that are known before the frame (docs/object_space_occlusion.md).
   kPlanar,  ///< of convex polygons (Hudson et al. 1997)
   kSolid,   ///< of convex solids and polygons
+  // Rooms and portals of the file (docs/cells_and_portals.md).
+  kPortals,  ///< what is seen through a row of portals (Luebke and Georges 1995)
 };
 
 /// One row of the table. Every property of a mode stands here and nowhere else.
@@ -47,6 +49,7 @@ struct CullModeRow {
   bool joinsQueries = false;    ///< with asksQueries: --multiquery, --tight-bounds and --requery apply
   bool asksUnits = false;       ///< with asksQueries: --query-units and --plane-depth apply
   bool castsShadows = false;    ///< occluders of the file hide what lies behind them; decided on the CPU
+  bool seesRooms = false;       ///< rooms of the file are seen through their portals; decided on the CPU
   float occluderTau = 0.0F;     ///< default of --occluder-tau, pixels; with usesMap
   const char* help;             ///< phrase for --help, panel and docs
 };

@@ -41,6 +41,8 @@ TEST(Policy, ModesThatCompareWithSomethingTestOcclusion) {
     EXPECT_FALSE(row.asksQueries && row.testsOcclusion) << row.name;
     EXPECT_FALSE(row.castsShadows && (row.testsOcclusion || row.asksQueries)) << row.name;
     EXPECT_TRUE(row.culls || !row.castsShadows) << row.name;
+    EXPECT_FALSE(row.seesRooms && (row.testsOcclusion || row.asksQueries || row.castsShadows)) << row.name;
+    EXPECT_TRUE(row.culls || !row.seesRooms) << row.name;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "render/methods/hiz/hiz_method.h"
 #include "render/methods/hom/hom_method.h"
 #include "render/methods/hom_depth/hom_depth_method.h"
+#include "render/methods/portals/portal_method.h"
 #include "render/methods/queries/query_method.h"
 #include "render/methods/shadows/shadow_method.h"
 
@@ -56,6 +57,8 @@ std::unique_ptr<CullMethod> makeMethod(CullMode mode, const SharedParts& shared)
       return std::make_unique<ShadowMethod>(shared.scene, shared.boxes, culling::OccluderUse::kPolygons);
     case CullMode::kSolid:
       return std::make_unique<ShadowMethod>(shared.scene, shared.boxes, culling::OccluderUse::kSolids);
+    case CullMode::kPortals:
+      return std::make_unique<PortalMethod>(shared.scene, shared.boxes);
   }
   return nullptr;
 }
