@@ -42,6 +42,7 @@ if(JALOUSIE_BUILD_TOOLS)
   jalousie_man_page(jalousie-bake "show the LOD chains of a glTF file" inspect)
   jalousie_man_page(jalousie-bake "choose a level for each cell of a chain" cut)
   jalousie_man_page(jalousie-scatter "scatter copies of a baked object in a cube")
+  jalousie_man_page(jalousie-wad "convert a level of a WAD file to glTF with rooms and portals")
 endif()
 
 get_property(pages GLOBAL PROPERTY JALOUSIE_MAN_PAGES)

@@ -73,6 +73,7 @@ run("${WORK}/build/outside")
 run("${WORK}/prefix/bin/jalousie" --version)
 run("${WORK}/prefix/bin/jalousie-bake" --help)
 run("${WORK}/prefix/bin/jalousie-scatter" --help)
+run("${WORK}/prefix/bin/jalousie-wad" --help)
 foreach(file applications/jalousie.desktop icons/hicolor/scalable/apps/jalousie.svg icons/hicolor/48x48/apps/jalousie.png
     man/man1/jalousie.1 man/man1/jalousie-view.1 man/man1/jalousie-bake.1 man/man1/jalousie-scatter.1)
   if(NOT EXISTS "${WORK}/prefix/share/${file}")

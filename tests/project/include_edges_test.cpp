@@ -46,10 +46,11 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"src/core", "src/cli", "src/asset", "preprocess/bake/mesh", "preprocess/bake/simplify", "preprocess/bake/io",
         "preprocess/bake/report"}},
       {"preprocess/scatter", {"src/core", "src/cli", "src/asset"}},
+      {"preprocess/wad", {"src/core", "src/cli", "src/asset"}},
       // The programs' main files.
       {"preprocess",
-       {"src/core", "src/cli", "src/asset", "preprocess/scatter", "preprocess/bake/mesh", "preprocess/bake/simplify",
-        "preprocess/bake/io", "preprocess/bake/report", "preprocess/bake/pipeline"}},
+       {"src/core", "src/cli", "src/asset", "preprocess/scatter", "preprocess/wad", "preprocess/bake/mesh",
+        "preprocess/bake/simplify", "preprocess/bake/io", "preprocess/bake/report", "preprocess/bake/pipeline"}},
   };
   return kAllowed;
 }

@@ -29,6 +29,7 @@ constexpr Page kPages[] = {
     {"jalousie-bake-inspect", JALOUSIE_BAKE_PROGRAM, "inspect"},
     {"jalousie-bake-cut", JALOUSIE_BAKE_PROGRAM, "cut"},
     {"jalousie-scatter", JALOUSIE_SCATTER_PROGRAM, ""},
+    {"jalousie-wad", JALOUSIE_WAD_PROGRAM, ""},
 };
 
 std::string help(const Page& page) {
