@@ -31,6 +31,7 @@ class CommandLineTest : public test::ProgramsTest {
         {JALOUSIE_BAKE_PROGRAM, "", {{"", "ball.ply"}, {"--output", "out.glb"}}},
         {JALOUSIE_BAKE_PROGRAM, "inspect", {{"", "ball.glb"}}},
         {JALOUSIE_SCATTER_PROGRAM, "", {{"", "ball.glb"}, {"--output", "out.glb"}, {"--count", "2"}}},
+        {JALOUSIE_WAD_PROGRAM, "", {{"", "level.wad"}, {"--output", "out.glb"}, {"--map", "E1M1"}}},
     };
   }
   static std::vector<std::string> start(const Needs& needs) {

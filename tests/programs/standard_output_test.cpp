@@ -16,7 +16,8 @@ class StandardOutputTest : public test::ProgramsTest {
       commands.push_back({JALOUSIE_PROGRAM, {command, "--help"}});
     for (const char* program : {JALOUSIE_PROGRAM, JALOUSIE_BAKE_PROGRAM})
       commands.push_back({program, {"--version"}});
-    for (const char* program : {JALOUSIE_PROGRAM, JALOUSIE_BAKE_PROGRAM, JALOUSIE_SCATTER_PROGRAM})
+    for (const char* program :
+         {JALOUSIE_PROGRAM, JALOUSIE_BAKE_PROGRAM, JALOUSIE_SCATTER_PROGRAM, JALOUSIE_WAD_PROGRAM})
       commands.push_back({program, {"--help"}});
     const std::vector<Command> results = {
         {JALOUSIE_BAKE_PROGRAM, {"inspect", "--help"}},
