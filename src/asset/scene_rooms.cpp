@@ -75,6 +75,11 @@ Portal readPortal(const Value& value, const std::string& owner) {
   return portal;
 }
 
+RoomPlan checked(RoomPlan plan) {
+  if (const std::optional<std::string> fault = faultOf(plan)) refusePlan(*fault);
+  return plan;
+}
+
 template <class Vector>
 Value valueOf(const Vector& point) {
   Value::Array numbers;
@@ -130,10 +135,10 @@ RoomPlan roomsOf(const tinygltf::Scene& scene) {
   RoomPlan plan;
   for (const Value& room : listIn(value, "rooms", RoomPlan::kMostRooms, "the plan"))
     plan.rooms.push_back(readRoom(room, fmt::format("room {}", plan.rooms.size())));
+  if (!value.Has("portals")) return checked(std::move(plan));  // tinygltf drops empty lists
   for (const Value& portal : listIn(value, "portals", RoomPlan::kMostPortals, "the plan"))
     plan.portals.push_back(readPortal(portal, fmt::format("portal {}", plan.portals.size())));
-  if (const std::optional<std::string> fault = faultOf(plan)) refusePlan(*fault);
-  return plan;
+  return checked(std::move(plan));
 }
 
 RoomPlan roomsOf(const tinygltf::Model& model) {

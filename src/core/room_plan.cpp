@@ -13,7 +13,7 @@ namespace jalousie {
 namespace {
 
 constexpr double kPlanTolerance = 1e-4;           // of the size of a room
-constexpr std::uint64_t kMostWork = 1ULL << 28U;  // corners times edges
+constexpr std::uint64_t kMostWork = 1ULL << 26U;  // corners times edges
 
 bool isUsable(double number) {
   return std::isfinite(number) && std::abs(number) <= RoomPlan::kLargest;

@@ -50,6 +50,9 @@ TEST(SceneRooms, ComeBackAsTheyWere) {
   EXPECT_EQ(model.scenes[0].extras.Get("author").Get<std::string>(), "someone");
   EXPECT_EQ(readScene(model, "rooms.glb").rooms, twoRooms());
   EXPECT_TRUE(roomsOf(tinygltf::Model()).empty());
+  RoomPlan alone = twoRooms();
+  alone.portals.clear();
+  EXPECT_EQ(roomsOf(throughFile(house(alone))), alone) << "rooms without portals";
 }
 
 TEST(SceneRooms, FollowAScenePlacedNearTheOrigin) {
@@ -87,7 +90,7 @@ TEST(SceneRooms, BrokenOnesAreRefusedByName) {
   };
   fails("scene 0: extras.jalousie_rooms: room 0 has no height", [](RoomPlan& p) { p.rooms[0].ceiling = 0.0; });
   fails("room 1 has a height that is no usable number", [](RoomPlan& p) { p.rooms[1].floor = -1e10; });
-  fails("room 0 has no outline", [](RoomPlan& p) { p.rooms[0].outline.clear(); });
+  fails("room 0 has no list of outline", [](RoomPlan& p) { p.rooms[0].outline.clear(); });
   fails("room 1 has a loop of fewer than three points", [](RoomPlan& p) { p.rooms[1].outline[1].resize(2); });
   fails("room 0 has a point that is no usable number", [](RoomPlan& p) { p.rooms[0].outline[0][2].y = 1e300; });
   fails("portal 0 names a room that is not there: 0 and 2 of 2", [](RoomPlan& p) { p.portals[0].rooms[1] = 2; });
