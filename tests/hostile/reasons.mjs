@@ -184,7 +184,7 @@ const REASONS = [
     'cell-levels-producers-other-count'],
   ['node 0: extras.jalousie.cellLevels: level 1 has none', 'cell-levels-level-missing'],
   ['mesh 0: extras.jalousie.faces is not an object', 'faces-number'],
-  ['mesh 0: extras.jalousie.faces.kind is not masks or clusters', 'faces-kind faces-kind-number'],
+  ['mesh 0: extras.jalousie.faces.kind is not masks, clusters or meshlets', 'faces-kind faces-kind-number'],
   ['mesh 0: extras.jalousie.faces.trees is not a list', 'faces-trees-object'],
   ['mesh 0: extras.jalousie.faces has 1 lists for 2 primitives', 'faces-tree-missing'],
   ['mesh 0: extras.jalousie.faces: primitive 1 has no list', 'faces-tree-number'],
