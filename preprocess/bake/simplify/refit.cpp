@@ -203,26 +203,6 @@ glm::dvec3 normalOfTriangle(const std::vector<glm::vec3>& positions, std::span<c
   return faceNormal(positions[indices[3 * t]], positions[indices[3 * t + 1]], positions[indices[3 * t + 2]]);
 }
 
-/// Undoes the moves of the vertices of triangles that turned over, until no triangle is turned over.
-void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint32_t> indices,
-                std::vector<glm::vec3>& after) {
-  for (int pass = 0; pass < 8; ++pass) {
-    bool again = false;
-    for (std::size_t t = 0; t < indices.size() / 3; ++t) {
-      const glm::dvec3 old = normalOfTriangle(before, indices, t);
-      if (old == glm::dvec3(0.0)) continue;  // a triangle without area faces nowhere
-      if (glm::dot(old, normalOfTriangle(after, indices, t)) >= kSameSide) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t v = indices[3 * t + k];
-        again = again || after[v] != before[v];
-        after[v] = before[v];
-      }
-    }
-    if (!again) return;
-  }
-  after = before;
-}
-
 void fitPositions(std::span<const std::uint32_t> indices, const std::vector<Landing>& landings,
                   std::span<const std::uint8_t> fixed, WedgeMesh& level) {
   Equations equations(level.positions.size(), indices);
@@ -275,6 +255,25 @@ void fitNormals(std::span<const std::uint32_t> indices, const std::vector<Landin
 }
 
 }  // namespace
+
+void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint32_t> indices,
+                std::vector<glm::vec3>& after) {
+  for (int pass = 0; pass < 8; ++pass) {
+    bool again = false;
+    for (std::size_t t = 0; t < indices.size() / 3; ++t) {
+      const glm::dvec3 old = normalOfTriangle(before, indices, t);
+      if (old == glm::dvec3(0.0)) continue;  // a triangle without area faces nowhere
+      if (glm::dot(old, normalOfTriangle(after, indices, t)) >= kSameSide) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = indices[3 * t + k];
+        again = again || after[v] != before[v];
+        after[v] = before[v];
+      }
+    }
+    if (!again) return;
+  }
+  after = before;
+}
 
 void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertexMap, const RefitOptions& options,
                 WedgeMesh& level) {

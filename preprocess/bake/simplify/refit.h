@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "bake/mesh/wedge_mesh.h"
 #include "bake/simplify/slices.h"
@@ -29,5 +31,10 @@ struct RefitOptions {
 /// became, or ~0; it starts the searches
 void refitLevel(const WedgeMesh& original, std::span<const std::uint32_t> vertexMap, const RefitOptions& options,
                 WedgeMesh& level);
+
+/// Undoes the moves of the vertices of triangles that turned over, until no triangle is turned over.
+/// @param before, after  positions of the vertices   @param indices  three per triangle, in range
+void keepFacing(const std::vector<glm::vec3>& before, std::span<const std::uint32_t> indices,
+                std::vector<glm::vec3>& after);
 
 }  // namespace jalousie::bake
