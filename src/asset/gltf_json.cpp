@@ -122,7 +122,14 @@ bool holdsLargeInteger(const json& value) {
   return std::any_of(value.begin(), value.end(), holdsLargeInteger);
 }
 
-/// tinygltf cuts integers to 32 bits: the counts in a baked mesh's extras would change without a word.
+/// Whether a value holds null, or a list or object without members.
+bool holdsNothing(const json& value) {
+  if (value.is_null()) return true;
+  return value.is_structured() && (value.empty() || std::any_of(value.begin(), value.end(), holdsNothing));
+}
+
+/// tinygltf cuts integers to 32 bits: the counts in a baked mesh's extras would change without a word. It leaves out
+/// what is empty, which no table of the baker has.
 void checkOwnExtras(const json& document, const char* list, const char* owner, std::initializer_list<const char*> keys,
                     const Path& file) {
   const auto found = document.find(list);
@@ -135,6 +142,9 @@ void checkOwnExtras(const json& document, const char* list, const char* owner, s
       if (own != element["extras"].end() && holdsLargeInteger(*own))
         throw Error(ErrorCode::kMalformed, fmt::format("{} {}: extras.{} holds a number above 2^31 - 1", owner, i, key),
                     file);
+      if (own != element["extras"].end() && std::string_view(key) == "jalousie" && holdsNothing(*own))
+        throw Error(ErrorCode::kMalformed,
+                    fmt::format("{} {}: extras.{} holds null, or an empty list or object", owner, i, key), file);
     }
   }
 }

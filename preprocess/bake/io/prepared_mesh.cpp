@@ -84,7 +84,8 @@ std::string reasonToPass(const tinygltf::Model& model, std::size_t index, const 
   for (const int n : use.users[index]) {
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(n)];
     if (node.skin >= 0) return "it is skinned";
-    if (node.extensions.contains("MSFT_lod")) return "it has a chain already";
+    if (node.extensions.contains("MSFT_lod"))
+      return "it has a chain already, whose levels, cells and groups stay; bake the original for others";
     if (use.isLevel[static_cast<std::size_t>(n)]) return "it is a level of a chain already";
     if (use.isInGroup[static_cast<std::size_t>(n)]) return "it is part of a group that has levels already";
   }
