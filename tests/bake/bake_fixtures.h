@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "asset/accessor.h"
 #include "bake/mesh/combined_mesh.h"
 #include "bake/mesh/mesh_edges.h"
 #include "bake/mesh/wedges.h"
@@ -18,6 +19,20 @@ namespace jalousie::test {
 
 inline std::span<const std::byte> bytesOf(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+/// Positions and normals of a mesh, moved by an offset.
+inline tinygltf::Primitive movedPrimitive(tinygltf::Model& model, const asset::Primitive& mesh,
+                                          const glm::vec3& offset) {
+  std::vector<glm::vec3> positions = mesh.positions;
+  for (glm::vec3& p : positions)
+    p += offset;
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes["POSITION"] = asset::appendVec3(model, positions, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = asset::appendIndices(model, mesh.indices);
+  return primitive;
 }
 
 inline bake::CombinedMesh combined(const asset::Primitive& source) {

@@ -25,25 +25,14 @@ using asset::CellCut;
 using asset::CellHierarchy;
 using Point = std::array<float, 3>;
 
-tinygltf::Primitive primitiveOf(tinygltf::Model& model, const asset::Primitive& mesh, const glm::vec3& offset) {
-  std::vector<glm::vec3> positions = mesh.positions;
-  for (glm::vec3& p : positions)
-    p += offset;
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, positions, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.indices = asset::appendIndices(model, mesh.indices);
-  return primitive;
-}
-
-tinygltf::Model documentOf(const std::vector<asset::Primitive>& primitives, float step = 0.5F) {
+tinygltf::Model rowOfMeshes(const std::vector<asset::Primitive>& primitives, float step = 0.5F) {
   tinygltf::Model model;
   model.asset.version = "2.0";
   model.materials.resize(primitives.size());
   tinygltf::Mesh mesh;
   for (std::size_t p = 0; p < primitives.size(); ++p) {
-    mesh.primitives.push_back(primitiveOf(model, primitives[p], glm::vec3(step * static_cast<float>(p), 0, 0)));
+    mesh.primitives.push_back(
+        test::movedPrimitive(model, primitives[p], glm::vec3(step * static_cast<float>(p), 0, 0)));
     mesh.primitives.back().material = static_cast<int>(p);
   }
   model.meshes = {mesh};
@@ -192,7 +181,7 @@ TEST(CellLevels, AnyLegalCutOfAClosedMeshIsClosed) {
       BakeOptions options = optionsWith(64);
       options.quantized = quantized;
       const bool apart = std::string(name) == "two materials";
-      const Read read = bakeAndRead(documentOf(primitives, apart ? 0.0F : 0.5F), options);
+      const Read read = bakeAndRead(rowOfMeshes(primitives, apart ? 0.0F : 0.5F), options);
       ASSERT_GE(read.hierarchy.levels(), 5U) << name;
       const double volume = volumeOf(read, read.hierarchy.uniform(0));
       std::mt19937 random(7);
@@ -210,7 +199,7 @@ TEST(CellLevels, AnyLegalCutOfAClosedMeshIsClosed) {
 }
 
 TEST(CellLevels, CutsThatAreNotLegalHaveCracksOrOverlap) {
-  const Read read = bakeAndRead(documentOf({bumpySphere(80, 40)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({bumpySphere(80, 40)}), optionsWith(64));
   const CellHierarchy& hierarchy = read.hierarchy;
   for (std::uint32_t group = 0; group < hierarchy.groups(1); ++group) {
     CellCut cut = hierarchy.uniform(0);
@@ -223,7 +212,7 @@ TEST(CellLevels, CutsThatAreNotLegalHaveCracksOrOverlap) {
 }
 
 TEST(CellLevels, AnyLegalCutOfAFlatSheetCoversItOnce) {
-  const Read read = bakeAndRead(documentOf({test::grid(60)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({test::grid(60)}), optionsWith(64));
   std::mt19937 random(11);
   for (int i = 0; i < 40; ++i) {
     const CellCut cut = randomCut(read.hierarchy, random);
@@ -245,7 +234,7 @@ TEST(CellLevels, AnyLegalCutOfAFlatSheetCoversItOnce) {
 }
 
 TEST(CellLevels, CellsOfDifferentLevelsMeetWithEqualNormals) {
-  const Read read = bakeAndRead(documentOf({bumpySphere(80, 40)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({bumpySphere(80, 40)}), optionsWith(64));
   std::mt19937 random(5);
   std::size_t shared = 0;
   for (int i = 0; i < 20; ++i) {
@@ -265,7 +254,7 @@ TEST(CellLevels, CellsOfDifferentLevelsMeetWithEqualNormals) {
 }
 
 TEST(CellLevels, UniformCutsAreTheStoredLevels) {
-  const Read read = bakeAndRead(documentOf({bumpySphere(64, 32), bumpySphere(48, 24)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({bumpySphere(64, 32), bumpySphere(48, 24)}), optionsWith(64));
   const auto& levels = read.scene.chains.at(0).levels;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     std::size_t triangles = 0;
@@ -282,7 +271,7 @@ TEST(CellLevels, UniformCutsAreTheStoredLevels) {
 }
 
 TEST(CellLevels, ErrorsNeverFallAndGroupsAreLocal) {
-  const Read read = bakeAndRead(documentOf({bumpySphere(80, 40)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({bumpySphere(80, 40)}), optionsWith(64));
   const CellHierarchy& hierarchy = read.hierarchy;
   EXPECT_GT(hierarchy.groups(0), 8U);
   for (std::size_t k = 1; k + 1 < hierarchy.levels(); ++k) {
@@ -304,7 +293,7 @@ TEST(CellLevels, ErrorsNeverFallAndGroupsAreLocal) {
 }
 
 TEST(CellLevels, BordersOfAStepLieInsideAGroupOfTheNext) {
-  const Read read = bakeAndRead(documentOf({bumpySphere(96, 48)}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({bumpySphere(96, 48)}), optionsWith(64));
   const CellHierarchy& hierarchy = read.hierarchy;
   for (std::size_t k = 1; k + 1 < hierarchy.levels(); ++k) {
     std::map<std::uint32_t, std::set<std::uint32_t>> producers;
@@ -320,7 +309,7 @@ TEST(CellLevels, BordersOfAStepLieInsideAGroupOfTheNext) {
 
 TEST(CellLevels, TheFileDoesNotDependOnTheThreads) {
   const auto bytes = [](const SliceRunner& slices) {
-    tinygltf::Model model = documentOf({bumpySphere(64, 32)});
+    tinygltf::Model model = rowOfMeshes({bumpySphere(64, 32)});
     BakeOptions options = optionsWith(64);
     options.chain.slices = slices;
     bakeInto(model, options);
@@ -348,7 +337,7 @@ TEST(CellLevels, LeavesStayWholeInTheirCells) {
       leaves.normals.push_back(leaf.normals[v]);
     }
   }
-  const Read read = bakeAndRead(documentOf({leaves}), optionsWith(64));
+  const Read read = bakeAndRead(rowOfMeshes({leaves}), optionsWith(64));
   const asset::Primitive& finest = read.scene.meshes[read.scene.chains.at(0).levels[0].mesh].primitives.at(0);
   std::map<Point, std::uint32_t> cellOfPlace;
   for (std::uint32_t cell = 0; cell < read.hierarchy.cells(0); ++cell) {
@@ -386,18 +375,18 @@ double worstRatio(const tinygltf::Model& document, const BakeOptions& divided) {
 }
 
 TEST(CellLevels, WholeLevelsAreNearlyAsGoodAsWithout) {
-  const double worst = worstRatio(documentOf({bumpySphere(128, 64)}), optionsWith(256));
+  const double worst = worstRatio(rowOfMeshes({bumpySphere(128, 64)}), optionsWith(256));
   EXPECT_GT(worst, 0.5) << "levels were compared";
   EXPECT_LT(worst, 1.2);
 }
 
 TEST(CellLevels, SmallMeshesAndSkippedOptionsHaveNone) {
-  tinygltf::Model small = documentOf({test::sphere(16, 8)});
+  tinygltf::Model small = rowOfMeshes({test::sphere(16, 8)});
   BakeOptions options = optionsWith(256);
   options.cells.onlyLarge = true;
   bakeInto(small, options);
   EXPECT_TRUE(tablesOf(small).at(0).empty());
-  tinygltf::Model plain = documentOf({bumpySphere(64, 32)});
+  tinygltf::Model plain = rowOfMeshes({bumpySphere(64, 32)});
   options.cells.levels = false;
   bakeInto(plain, options);
   EXPECT_TRUE(tablesOf(plain).at(0).empty());
@@ -405,7 +394,7 @@ TEST(CellLevels, SmallMeshesAndSkippedOptionsHaveNone) {
 
 /// The chain of a bumpy sphere, written and read again; its node is moved, turned and scaled.
 tinygltf::Model placedChain() {
-  tinygltf::Model model = documentOf({bumpySphere(80, 40)});
+  tinygltf::Model model = rowOfMeshes({bumpySphere(80, 40)});
   bakeInto(model, optionsWith(64));
   for (tinygltf::Node& node : model.nodes) {
     node.translation = {5.0, 0.0, 0.0};
@@ -485,7 +474,7 @@ TEST(CutDocument, MovesWithTheEyeAndTheLimit) {
 }
 
 TEST(CutDocument, SaysWhatItLeaves) {
-  tinygltf::Model plain = documentOf({bumpySphere(48, 24)});
+  tinygltf::Model plain = rowOfMeshes({bumpySphere(48, 24)});
   BakeOptions options = optionsWith(64);
   options.cells.levels = false;
   bakeInto(plain, options);

@@ -21,18 +21,6 @@ namespace {
 using Corner = std::array<float, 3>;
 using Triangle = std::array<Corner, 3>;
 
-tinygltf::Primitive primitiveOf(tinygltf::Model& model, const asset::Primitive& mesh, const glm::vec3& offset) {
-  std::vector<glm::vec3> positions = mesh.positions;
-  for (glm::vec3& p : positions)
-    p += offset;
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes["POSITION"] = asset::appendVec3(model, positions, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
-  primitive.indices = asset::appendIndices(model, mesh.indices);
-  return primitive;
-}
-
 /// One mesh of two spheres that overlap, each with a material of its own: 1520 and 960 triangles.
 tinygltf::Model twoSpheres() {
   tinygltf::Model model;
@@ -40,8 +28,8 @@ tinygltf::Model twoSpheres() {
   model.materials.resize(2);
   tinygltf::Mesh mesh;
   mesh.name = "rock";
-  mesh.primitives = {primitiveOf(model, test::sphere(40, 20), glm::vec3(0)),
-                     primitiveOf(model, test::sphere(32, 16), glm::vec3(0.5F, 0, 0))};
+  mesh.primitives = {test::movedPrimitive(model, test::sphere(40, 20), glm::vec3(0)),
+                     test::movedPrimitive(model, test::sphere(32, 16), glm::vec3(0.5F, 0, 0))};
   mesh.primitives[1].material = 1;
   model.meshes = {mesh};
   model.nodes.resize(1);
@@ -225,12 +213,12 @@ TEST(BakedCells, KeepMostOfTheVertexCache) {
 TEST(BakedCells, AutoLeavesSmallMeshesAsTheyAre) {
   for (const std::uint32_t rows : {8U, 9U}) {  // 448 and 512 triangles
     tinygltf::Model model = twoSpheres();
-    model.meshes[0].primitives = {primitiveOf(model, test::sphere(32, rows), glm::vec3(0))};
+    model.meshes[0].primitives = {test::movedPrimitive(model, test::sphere(32, rows), glm::vec3(0))};
     EXPECT_EQ(bakeWith(model, {})[0].cells, 0U);
     EXPECT_TRUE(asset::lodCells(model, model.meshes[0]).empty());
   }
   tinygltf::Model model = twoSpheres();
-  model.meshes[0].primitives = {primitiveOf(model, test::sphere(32, 10), glm::vec3(0))};
+  model.meshes[0].primitives = {test::movedPrimitive(model, test::sphere(32, 10), glm::vec3(0))};
   EXPECT_EQ(bakeWith(model, {})[0].cells, 3U) << "576 triangles";
 }
 
@@ -238,7 +226,7 @@ TEST(BakedCells, ManyPrimitivesGetLargerCells) {
   tinygltf::Model model = twoSpheres();
   model.meshes[0].primitives.clear();
   for (int i = 0; i < 100; ++i)
-    model.meshes[0].primitives.push_back(primitiveOf(model, test::sphere(8, 4), glm::vec3(3 * i, 0, 0)));
+    model.meshes[0].primitives.push_back(test::movedPrimitive(model, test::sphere(8, 4), glm::vec3(3 * i, 0, 0)));
   const std::vector<MeshReport> reports = bakeWith(model, {64, false}, 2);
   const std::uint32_t triangles = 100 * 2 * 8 * 3;
   EXPECT_EQ(reports[0].cells, (triangles + 799) / 800) << "8 triangles for each primitive";

@@ -33,6 +33,24 @@ class MethodGl : public test::GlTest {
     return result;
   }
 
+  static constexpr std::uint32_t kOddWidth = 201;
+  static constexpr std::uint32_t kOddHeight = 113;
+
+  /// What a renderer culls, and its picture.
+  struct Frame {
+    FrameStatistics statistics;
+    std::vector<std::uint8_t> pixels;
+  };
+  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera,
+                    const scene::Camera& drawCamera) {
+    FrameRenderer renderer(scene, kOddWidth, kOddHeight);
+    renderer.render(frameOptions, camera, drawCamera);
+    return {renderer.readStatistics(), renderer.readImage().pixels};
+  }
+  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera) {
+    return draw(scene, frameOptions, camera, camera);
+  }
+
   /// Renders frames from the same camera. @param renderer  keeps its history
   FrameStatistics settle(FrameRenderer& renderer, CullMode mode, int frames = 3) const {
     for (int frame = 0; frame < frames; ++frame)

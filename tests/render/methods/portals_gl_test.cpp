@@ -7,9 +7,6 @@
 namespace jalousie::render {
 namespace {
 
-constexpr std::uint32_t kWidth = 201;
-constexpr std::uint32_t kHeight = 113;
-
 /// A view from a place in the building; one in four stands in the frame of a door, one in eight outside.
 scene::Camera randomCamera(const test::Building& building, const Aabb& boundsWorld, Random& random) {
   const std::uint32_t kind = random.below(8);
@@ -49,19 +46,6 @@ test::Journey walkThrough(const test::Building& building, std::uint64_t seed, bo
 
 class PortalsGl : public MethodGl {
  protected:
-  struct Frame {
-    FrameStatistics statistics;
-    std::vector<std::uint8_t> pixels;
-  };
-  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera,
-                    const scene::Camera& drawCamera) {
-    FrameRenderer renderer(scene, kWidth, kHeight);
-    renderer.render(frameOptions, camera, drawCamera);
-    return {renderer.readStatistics(), renderer.readImage().pixels};
-  }
-  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera) {
-    return draw(scene, frameOptions, camera, camera);
-  }
   scene::Camera inside() const {
     Random random(3);
     const glm::vec3 eye(building_.randomPlace(random, 0.3));
@@ -82,7 +66,7 @@ TEST_F(PortalsGl, NoPixelAndNoDepthIsLost) {
     const test::Journey journey = walkThrough(building, seed, seed % 2 == 1);
     FrameOptions frameOptions = options(CullMode::kPortals);
     if (seed % 3 == 0) frameOptions.lodRule = LodRule::kFinest;
-    const test::CullingLoss loss = test::countLoss(journey, kWidth, kHeight, frameOptions, 0, 30);
+    const test::CullingLoss loss = test::countLoss(journey, kOddWidth, kOddHeight, frameOptions, 0, 30);
     EXPECT_EQ(loss.wrongPixels, 0U) << "building " << seed;
     EXPECT_EQ(loss.differentDepths, 0U) << "building " << seed;
     culled += loss.culled;
@@ -95,7 +79,7 @@ TEST_F(PortalsGl, DirectNeighboursLosePixels) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     FrameOptions frameOptions = options(CullMode::kPortals);
     frameOptions.occluders.portalReach = culling::PortalReach::kNeighbours;
-    wrong += test::countLoss(walkThrough(test::Building(seed), seed, false), kWidth, kHeight, frameOptions, 0, 24)
+    wrong += test::countLoss(walkThrough(test::Building(seed), seed, false), kOddWidth, kOddHeight, frameOptions, 0, 24)
                  .wrongPixels;
   }
   EXPECT_GT(wrong, 0U);
@@ -104,8 +88,8 @@ TEST_F(PortalsGl, DirectNeighboursLosePixels) {
 TEST_F(PortalsGl, PortalsThatAreALittleTooSmallAreNoticed) {
   std::uint64_t wrong = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed)
-    wrong += test::countLoss(walkThrough(test::Building(seed, {.portalScale = 0.8F}), seed, false), kWidth, kHeight,
-                             options(CullMode::kPortals), 0, 24)
+    wrong += test::countLoss(walkThrough(test::Building(seed, {.portalScale = 0.8F}), seed, false), kOddWidth,
+                             kOddHeight, options(CullMode::kPortals), 0, 24)
                  .wrongPixels;
   EXPECT_GT(wrong, 0U);
 }
@@ -159,8 +143,8 @@ TEST_F(PortalsGl, AFrozenCullingCameraIsShownFromOutside) {
 }
 
 TEST_F(PortalsGl, TwoRunsGiveTheSameMarks) {
-  FrameRenderer first(rooms_, kWidth, kHeight);
-  FrameRenderer second(rooms_, kWidth, kHeight);
+  FrameRenderer first(rooms_, kOddWidth, kOddHeight);
+  FrameRenderer second(rooms_, kOddWidth, kOddHeight);
   for (FrameRenderer* renderer : {&first, &second})
     renderer->render(options(CullMode::kPortals), inside_, inside_);
   EXPECT_EQ(first.readMarks(), second.readMarks());

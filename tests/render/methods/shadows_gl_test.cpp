@@ -9,9 +9,6 @@
 namespace jalousie::render {
 namespace {
 
-constexpr std::uint32_t kWidth = 201;
-constexpr std::uint32_t kHeight = 113;
-
 std::vector<CullMode> shadowModes() {
   std::vector<CullMode> modes;
   for (const CullModeRow& row : cullModeTable())
@@ -29,21 +26,6 @@ test::Journey journeyThrough(const asset::SceneFile& file, std::uint64_t seed, b
 
 class ShadowsGl : public MethodGl {
  protected:
-  /// What a renderer culls, and its picture.
-  struct Frame {
-    FrameStatistics statistics;
-    std::vector<std::uint8_t> pixels;
-  };
-  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera,
-                    const scene::Camera& drawCamera) {
-    FrameRenderer renderer(scene, kWidth, kHeight);
-    renderer.render(frameOptions, camera, drawCamera);
-    return {renderer.readStatistics(), renderer.readImage().pixels};
-  }
-  static Frame draw(const scene::SceneData& scene, const FrameOptions& frameOptions, const scene::Camera& camera) {
-    return draw(scene, frameOptions, camera, camera);
-  }
-
   const scene::SceneData town_ = scene::buildScene(test::town(30, 300, 4));
   const scene::Camera inStreet_ = scene::lookAt({-34, 2, 3}, {0, 1.5F, 0}, town_.boundsWorld);
 };
@@ -56,7 +38,7 @@ TEST_F(ShadowsGl, NoPixelAndNoDepthIsLost) {
       FrameOptions frameOptions = options(mode);
       if (seed % 3 == 0) frameOptions.lodRule = LodRule::kFinest;
       if (seed % 3 == 1) frameOptions.occluders.rankEvery = 5;
-      const test::CullingLoss loss = test::countLoss(journey, kWidth, kHeight, frameOptions, 0, 24);
+      const test::CullingLoss loss = test::countLoss(journey, kOddWidth, kOddHeight, frameOptions, 0, 24);
       EXPECT_EQ(loss.wrongPixels, 0U) << rowOf(mode).name << ", town " << seed;
       EXPECT_EQ(loss.differentDepths, 0U) << rowOf(mode).name << ", town " << seed;
       culled += loss.culled;
@@ -68,7 +50,7 @@ TEST_F(ShadowsGl, NoPixelAndNoDepthIsLost) {
 TEST_F(ShadowsGl, OccludersThatAreALittleTooLargeAreNoticed) {
   std::uint64_t wrong = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed)
-    wrong += test::countLoss(journeyThrough(test::town(25, 200, seed, 1.1F), seed, false), kWidth, kHeight,
+    wrong += test::countLoss(journeyThrough(test::town(25, 200, seed, 1.1F), seed, false), kOddWidth, kOddHeight,
                              options(CullMode::kSolid), 0, 24)
                  .wrongPixels;
   EXPECT_GT(wrong, 0U);
@@ -94,8 +76,8 @@ TEST_F(ShadowsGl, LevelsByVisibilityAreThoseOfFrustumCulling) {
   for (const CullMode mode : shadowModes()) {
     for (const LodRuleRow& rule : lodRuleTable()) {
       if (!rule.followsLv) continue;
-      FrameRenderer shadows(town_, kWidth, kHeight);
-      FrameRenderer frustum(town_, kWidth, kHeight);
+      FrameRenderer shadows(town_, kOddWidth, kOddHeight);
+      FrameRenderer frustum(town_, kOddWidth, kOddHeight);
       for (int frame = 0; frame < 6; ++frame) {
         FrameOptions frameOptions = options(mode);
         frameOptions.lodRule = rule.id;
@@ -210,8 +192,8 @@ TEST_F(ShadowsGl, OrthographicCamerasLoseNoPixel) {
 
 TEST_F(ShadowsGl, TwoRunsGiveTheSameMarks) {
   for (const CullMode mode : shadowModes()) {
-    FrameRenderer first(town_, kWidth, kHeight);
-    FrameRenderer second(town_, kWidth, kHeight);
+    FrameRenderer first(town_, kOddWidth, kOddHeight);
+    FrameRenderer second(town_, kOddWidth, kOddHeight);
     for (FrameRenderer* renderer : {&first, &second})
       renderer->render(options(mode), inStreet_, inStreet_);
     EXPECT_EQ(first.readMarks(), second.readMarks());
