@@ -648,6 +648,8 @@ group('faces', 5, damaged(grouped), [
   ['trees-object', 'the trees are an object', { [`${facesOf(0)}/trees`]: { 0: [3] } }],
   ['tree-missing', 'one primitive has no tree', { [`${facesOf(0)}/trees`]: [[1, 0, 1, 1]] }],
   ['tree-number', 'a tree is a number', { [`${facesOf(0)}/trees/1`]: 3 }],
+  ['tree-null', 'there is a null beside the trees', { [`${facesOf(0)}/trees/2`]: null }],
+  ['empty-list', 'the table is an empty list', { [facesOf(0)]: [] }],
   ['negative', 'a number of triangles is negative', { [`${facesOf(0)}/trees/0`]: [4, -1] }],
   ['huge', 'a number of triangles is 1e300', { [`${facesOf(0)}/trees/0`]: [1e300] }],
   ['incomplete', 'a node has one part', { [`${facesOf(1)}/trees/0`]: [1, 0, 2] }],
