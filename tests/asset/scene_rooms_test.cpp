@@ -40,24 +40,24 @@ tinygltf::Model house(const RoomPlan& plan, const glm::dvec3& at = glm::dvec3(0.
   return model;
 }
 
-tinygltf::Model throughFile(const tinygltf::Model& model) {
+tinygltf::Model sceneThroughFile(const tinygltf::Model& model) {
   return parseGltf(encodeGlb(model), "rooms.glb");
 }
 
 TEST(SceneRooms, ComeBackAsTheyWere) {
-  const tinygltf::Model model = throughFile(house(twoRooms()));
+  const tinygltf::Model model = sceneThroughFile(house(twoRooms()));
   EXPECT_EQ(roomsOf(model), twoRooms());
   EXPECT_EQ(model.scenes[0].extras.Get("author").Get<std::string>(), "someone");
   EXPECT_EQ(readScene(model, "rooms.glb").rooms, twoRooms());
   EXPECT_TRUE(roomsOf(tinygltf::Model()).empty());
   RoomPlan alone = twoRooms();
   alone.portals.clear();
-  EXPECT_EQ(roomsOf(throughFile(house(alone))), alone) << "rooms without portals";
+  EXPECT_EQ(roomsOf(sceneThroughFile(house(alone))), alone) << "rooms without portals";
 }
 
 TEST(SceneRooms, FollowAScenePlacedNearTheOrigin) {
   const glm::dvec3 far(4e6, 100.0, -7e6);
-  const SceneFile scene = readScene(throughFile(house(twoRooms(far), far)), "rooms.glb");
+  const SceneFile scene = readScene(sceneThroughFile(house(twoRooms(far), far)), "rooms.glb");
   ASSERT_NE(scene.originWorld, glm::dvec3(0.0));
   RoomPlan plan = scene.rooms;
   moveRooms(plan, scene.originWorld - far);
@@ -69,14 +69,14 @@ TEST(SceneRooms, AreThoseOfTheSceneThatIsDrawn) {
   model.scenes.emplace_back();
   model.scenes.back().nodes = {0};
   model.defaultScene = 1;
-  EXPECT_TRUE(roomsOf(throughFile(model)).empty());
+  EXPECT_TRUE(roomsOf(sceneThroughFile(model)).empty());
 }
 
 std::string failureOf(const std::function<void(RoomPlan&)>& change) {
   RoomPlan plan = twoRooms();
   change(plan);
   try {
-    throughFile(house(plan));
+    sceneThroughFile(house(plan));
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kMalformed);
     return error.what();
@@ -120,7 +120,7 @@ std::string failureOfMember(const char* list, const char* key, const tinygltf::V
   plan[list] = Value(elements);
   model.scenes[0].extras = Value(Value::Object{{kRooms, Value(plan)}});
   try {
-    throughFile(model);
+    sceneThroughFile(model);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kMalformed);
     return error.what();

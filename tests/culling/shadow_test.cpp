@@ -313,7 +313,7 @@ TEST(ConvexSolid, FaultsAreFound) {
   ConvexSolid twice = polygon(5, true);  // a pentagram turns left everywhere
   twice.faces[0] = {0, 2, 4, 1, 3};
   EXPECT_NE(faultOf(twice), std::nullopt);
-  EXPECT_NE(faultOf({}), std::nullopt);
+  EXPECT_NE(faultOf(ConvexSolid{}), std::nullopt);
 }
 
 }  // namespace
