@@ -357,8 +357,8 @@ double worstRatio(const tinygltf::Model& document, const BakeOptions& divided) {
   const auto curve = [&](const BakeOptions& options) {
     tinygltf::Model model = document;
     std::vector<std::pair<double, double>> points;  // log of triangles, log of mean
-    for (const asset::LodInfo& level :
-         bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {}).at(0).levels)
+    const auto reports = bakeDocument(model, options, [](std::size_t, std::size_t, const std::string&) {});
+    for (const asset::LodInfo& level : reports.at(0).levels)
       if (level.lod > 0) points.emplace_back(std::log(level.triangles), std::log(level.measures->twoSided.mean));
     return points;
   };
