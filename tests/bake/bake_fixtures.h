@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asset/accessor.h"
@@ -33,6 +34,16 @@ inline tinygltf::Primitive movedPrimitive(tinygltf::Model& model, const asset::P
   primitive.attributes["NORMAL"] = asset::appendVec3(model, mesh.normals, TINYGLTF_TARGET_ARRAY_BUFFER);
   primitive.indices = asset::appendIndices(model, mesh.indices);
   return primitive;
+}
+
+/// Makes a mesh the only one of a model, shown by one node.
+inline void showMesh(tinygltf::Model& model, tinygltf::Mesh mesh) {
+  model.meshes = {std::move(mesh)};
+  model.nodes.resize(1);
+  model.nodes[0].mesh = 0;
+  model.scenes.resize(1);
+  model.scenes[0].nodes = {0};
+  model.defaultScene = 0;
 }
 
 inline bake::CombinedMesh combined(const asset::Primitive& source) {

@@ -35,12 +35,7 @@ tinygltf::Model rowOfMeshes(const std::vector<asset::Primitive>& primitives, flo
         test::movedPrimitive(model, primitives[p], glm::vec3(step * static_cast<float>(p), 0, 0)));
     mesh.primitives.back().material = static_cast<int>(p);
   }
-  model.meshes = {mesh};
-  model.nodes.resize(1);
-  model.nodes[0].mesh = 0;
-  model.scenes.resize(1);
-  model.scenes[0].nodes = {0};
-  model.defaultScene = 0;
+  test::showMesh(model, std::move(mesh));
   return model;
 }
 

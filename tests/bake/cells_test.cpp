@@ -31,12 +31,7 @@ tinygltf::Model twoSpheres() {
   mesh.primitives = {test::movedPrimitive(model, test::sphere(40, 20), glm::vec3(0)),
                      test::movedPrimitive(model, test::sphere(32, 16), glm::vec3(0.5F, 0, 0))};
   mesh.primitives[1].material = 1;
-  model.meshes = {mesh};
-  model.nodes.resize(1);
-  model.nodes[0].mesh = 0;
-  model.scenes.resize(1);
-  model.scenes[0].nodes = {0};
-  model.defaultScene = 0;
+  test::showMesh(model, std::move(mesh));
   return model;
 }
 

@@ -236,14 +236,10 @@ tinygltf::Model documentOf(const asset::Primitive& source, const std::string& al
   primitive.material = 0;
   primitive.attributes["POSITION"] = asset::appendVec3(model, source.positions, TINYGLTF_TARGET_ARRAY_BUFFER);
   primitive.indices = asset::appendIndices(model, source.indices);
-  model.meshes.resize(1);
-  model.meshes[0].name = "mesh";
-  model.meshes[0].primitives = {primitive};
-  model.nodes.resize(1);
-  model.nodes[0].mesh = 0;
-  model.scenes.resize(1);
-  model.scenes[0].nodes = {0};
-  model.defaultScene = 0;
+  tinygltf::Mesh mesh;
+  mesh.name = "mesh";
+  mesh.primitives = {primitive};
+  test::showMesh(model, std::move(mesh));
   return model;
 }
 
