@@ -164,12 +164,13 @@ LevelSurface wall(std::uint32_t n, const std::function<bool(std::uint32_t, std::
   for (std::uint32_t z = 0; z <= n; ++z)
     for (std::uint32_t x = 0; x <= n; ++x)
       surface.positions.emplace_back(x, 2.0F, z);
-  for (std::uint32_t z = 0; z < n; ++z)
+  for (std::uint32_t z = 0; z < n; ++z) {
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t a = z * (n + 1) + x;
       if (!isOpen(x, z))
         surface.indices.insert(surface.indices.end(), {a, a + n + 1, a + 1, a + 1, a + n + 1, a + n + 2});
     }
+  }
   return surface;
 }
 
